@@ -1,0 +1,17 @@
+# SPDX-FileCopyrightText: 2026 The Framewise authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What the rooms above the solver library use, all from the distribution's packages.
+find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs features2d video)
+find_package(TBB REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+
+# Debian 12 and Ubuntu 22.04 ship Embree 3, Ubuntu 24.04 ships Embree 4.
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 REQUIRED)
+endif()

@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: 2026 The Framewise authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# framewise_room(NAME DEPENDS targets...): a folder is a room, and a room is one library.
+# Every foo.cc in the folder belongs to the room; every foo_test.cc belongs to its test program.
+# A room of headers alone is an interface library.
+include(GNUInstallDirs)
+if(FRAMEWISE_BUILD_TESTS)
+  include(GoogleTest)
+endif()
+
+function(framewise_room name)
+  cmake_parse_arguments(ROOM "" "" "DEPENDS;PRIVATE_DEPENDS;TEST_DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cc)
+  file(GLOB tests CONFIGURE_DEPENDS *_test.cc)
+  if(tests)
+    list(REMOVE_ITEM sources ${tests})
+  endif()
+
+  set(target framewise_${name})
+  if(sources)
+    set(scope PUBLIC)
+    add_library(${target} STATIC ${sources})
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(${target} PRIVATE ${ROOM_PRIVATE_DEPENDS})
+  else()
+    set(scope INTERFACE)
+    add_library(${target} INTERFACE)
+  endif()
+  add_library(Framewise::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_include_directories(${target} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${target} ${scope} ${ROOM_DEPENDS})
+
+  install(TARGETS ${target} EXPORT FramewiseTargets)
+  install(DIRECTORY ./ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/framewise/${name}
+          FILES_MATCHING PATTERN "*.h" PATTERN "*_for_tests.h" EXCLUDE)
+
+  if(FRAMEWISE_BUILD_TESTS AND tests)
+    add_executable(${name}_test ${tests})
+    target_link_libraries(${name}_test PRIVATE
+      ${target} ${ROOM_TEST_DEPENDS} GTest::gtest GTest::gmock GTest::gtest_main)
+    target_compile_definitions(${name}_test PRIVATE FRAMEWISE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    gtest_discover_tests(${name}_test TEST_PREFIX "${name}: " PROPERTIES TIMEOUT 300 LABELS "${name}")
+  endif()
+endfunction()
