@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+#include <optional>
+
+namespace framewise {
+
+// Raw 16-bit depth to metres: value / factor; 0 and values beyond max_depth become NaN.
+// raw: CV_16U, height x width; the answer: CV_32F of the same size.
+cv::Mat depth_from_raw(const cv::Mat& raw, double factor, double max_depth);
+
+struct DepthLookupOptions {
+  // A pixel this near to the image's border has no depth: sensors smear and registration shifts there (pixels).
+  int border_px = 2;
+  // Where the neighbours' depths differ by more than this share of the depth, the pixel is on an edge of an
+  // object and either surface may be meant.
+  double max_edge = 0.03;
+  double min_depth = 0.3;  // nearer than this, structured light sees nothing it can be trusted with (m)
+  double max_depth = 8.0;  // at 8 m a Kinect's depth step is already 0.2 m (m)
+
+  // Throws std::invalid_argument that names the value.
+  void check() const;
+};
+
+// Depth (m) at a sub-pixel position, from the 3 x 3 pixels around the nearest one. Empty when the pixel or more
+// than half of its neighbours are unknown, at the border, and on depth edges.
+std::optional<double> depth_at(const cv::Mat& depth, const Eigen::Vector2d& pixel, const DepthLookupOptions& options);
+
+}  // namespace framewise

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "framewise/geometry/pose.h"
+
+namespace framewise {
+
+// A frame as `run` writes it down.
+struct FrameLine {
+  std::size_t index = 0;
+  double time = 0;  // s
+  std::string_view status;
+  int matches = 0, inliers = 0;
+  Pose cam1_from_cam2;  // the step: the newer camera seen from the older
+  bool has_step = false;
+  Pose world_from_cam;
+  double load_ms = 0, features_ms = 0, step_ms = 0;
+};
+
+// Writes trajectory.tum and frames.csv line by line, so that what was computed survives a failure.
+class RunFiles {
+ public:
+  // Creates the folder. Throws InputError when it cannot be written.
+  explicit RunFiles(const std::filesystem::path& folder);
+
+  void add(const FrameLine& line);
+
+  // Writes run.json, whole or not at all.
+  void write_record(const std::string& json) const;
+
+ private:
+  std::filesystem::path folder_;
+  std::ofstream trajectory_, frames_;
+};
+
+}  // namespace framewise
