@@ -14,23 +14,23 @@ void apply_config(CLI::App& command, const std::filesystem::path& path) {
   try {
     root = YAML::LoadFile(path.string());
   } catch (const YAML::BadFile&) {
-    throw InputError(path, "", "no file", "options in YAML");
+    throw InputError(path, 0, "", "no file", "options in YAML");
   } catch (const YAML::Exception& error) {
-    throw InputError(path, fmt::format("line {}", error.mark.line + 1), error.msg, "options in YAML");
+    throw InputError(path, error.mark.line + 1, "", error.msg, "options in YAML");
   }
-  if (!root.IsMap()) throw InputError(path, "", "no map", "lines of 'option: value'");
+  if (!root.IsMap()) throw InputError(path, 0, "", "no map", "lines of 'option: value'");
   for (const auto& entry : root) {
     const auto name = entry.first.as<std::string>();
     CLI::Option* option = command.get_option_no_throw("--" + name);
     if (!option || !entry.second.IsScalar())
-      throw InputError(path, fmt::format("line {}", entry.first.Mark().line + 1), "'" + name + "'",
+      throw InputError(path, entry.first.Mark().line + 1, "", "'" + name + "'",
                        "the name of an option and one value (framewise " + command.get_name() + " --help)");
     if (option->count() > 0) continue;
     try {
       option->add_result(entry.second.Scalar());
       option->run_callback();
     } catch (const CLI::Error& error) {
-      throw InputError(path, name, "'" + entry.second.Scalar() + "'", error.what());
+      throw InputError(path, 0, name, "'" + entry.second.Scalar() + "'", error.what());
     }
   }
 }

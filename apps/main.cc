@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Framewise authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The command-line program: parses, calls the library, prints. Exit codes: 0 done, 1 the work failed, 2 wrong usage
-// or bad input.
+// The command-line program: parses, calls the library, prints. Exit codes: 0 done, 1 the work failed, 2 wrong
+// usage or bad input.
 #include <fmt/format.h>
 
 #include <exception>

@@ -8,7 +8,8 @@
 
 namespace framewise::apps {
 
-// Says on standard error how far the work is: a bar with rate and time left on a terminal, else a line every 10 %.
+// Says on standard error how far the work is: a bar with rate and time left on a terminal, else a line every
+// 10 %.
 class Progress {
  public:
   Progress(std::string what, std::size_t total, bool quiet);

@@ -119,7 +119,7 @@ class Run(Recording):
         self.assertEqual(self.run_data("--config", config).returncode, 0)
         self.assertEqual((self.out / "trajectory.tum").read_bytes(), typed)
         config.write_text("solver: eight-point\nmax-eror-px: 2.5\n")
-        self.refuses(self.run_data("--config", config), "run.yaml", "line 2", "max-eror-px")
+        self.refuses(self.run_data("--config", config), "run.yaml", ":2:", "max-eror-px")
 
     def test_goes_on_after_frames_that_show_nothing(self):
         for _, file in self.listed("rgb.txt")[5:7]:
@@ -181,7 +181,7 @@ class BadInput(Recording):
     def test_listed_file_that_is_missing(self):
         _, file = self.listed("rgb.txt")[3]
         (self.data / file).unlink()
-        self.refuses(self.run_data(), "rgb.txt", "line", file)
+        self.refuses(self.run_data(), "rgb.txt:", file)
 
     def test_truncated_images(self):
         for name in ("rgb.txt", "depth.txt"):
@@ -235,7 +235,7 @@ class BadInput(Recording):
 
     def test_truth_that_is_not_numbers(self):
         self.rewrite("groundtruth.txt", lambda line: line.replace(line.split()[3], "nan"))
-        self.refuses(self.run_data(), "groundtruth.txt", "line")
+        self.refuses(self.run_data(), "groundtruth.txt:")
 
     def test_wrong_usage(self):
         self.refuses(self.run_data("--solver", "magic"), "magic")

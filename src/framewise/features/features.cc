@@ -9,11 +9,13 @@ namespace framewise {
 
 void FeatureOptions::check() const {
   const auto known = [](const char* option, const std::string& found) {
-    if (found != "orb") throw std::invalid_argument(std::string(option) + ": found '" + found + "', expected orb");
+    if (found != "orb")
+      throw std::invalid_argument(std::string(option) + ": found '" + found + "', expected orb");
   };
   known("detector", detector);
   known("descriptor", descriptor);
-  if (count < 8) throw std::invalid_argument("count: found " + std::to_string(count) + ", expected at least 8");
+  if (count < 8)
+    throw std::invalid_argument("count: found " + std::to_string(count) + ", expected at least 8");
 }
 
 Features extract_features(const cv::Mat& gray, const FeatureOptions& options) {

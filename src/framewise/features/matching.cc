@@ -12,8 +12,10 @@ namespace framewise {
 std::vector<FeatureMatch> match_brute_force(const cv::Mat& descriptors1, const cv::Mat& descriptors2) {
   if (descriptors1.empty() || descriptors2.empty()) return {};
   const int bytes = descriptors1.cols;
-  if (descriptors1.type() != CV_8U || descriptors2.type() != CV_8U || bytes != descriptors2.cols || bytes % 8 != 0)
-    throw std::invalid_argument("descriptors: expected two CV_8U matrices with the same multiple of 8 columns");
+  if (descriptors1.type() != CV_8U || descriptors2.type() != CV_8U || bytes != descriptors2.cols ||
+      bytes % 8 != 0)
+    throw std::invalid_argument(
+        "descriptors: expected two CV_8U matrices with the same multiple of 8 columns");
 
   const cv::Mat d1 = descriptors1.isContinuous() ? descriptors1 : descriptors1.clone();
   const cv::Mat d2 = descriptors2.isContinuous() ? descriptors2 : descriptors2.clone();

@@ -29,7 +29,8 @@ cv::Mat depth_from_raw(const cv::Mat& raw, double factor, double max_depth) {
 void DepthLookupOptions::check() const {
   const auto require = [](bool holds, const char* name, double found, const char* expected) {
     if (!holds)
-      throw std::invalid_argument(std::string(name) + ": found " + std::to_string(found) + ", expected " + expected);
+      throw std::invalid_argument(std::string(name) + ": found " + std::to_string(found) + ", expected " +
+                                  expected);
   };
   require(border_px >= 1, "border_px", border_px, "at least 1");
   require(max_edge > 0, "max_edge", max_edge, "more than 0");
@@ -37,7 +38,8 @@ void DepthLookupOptions::check() const {
   require(max_depth > min_depth, "max_depth", max_depth, "more than min_depth");
 }
 
-std::optional<double> depth_at(const cv::Mat& depth, const Eigen::Vector2d& pixel, const DepthLookupOptions& options) {
+std::optional<double> depth_at(const cv::Mat& depth, const Eigen::Vector2d& pixel,
+                               const DepthLookupOptions& options) {
   const int u = static_cast<int>(std::lround(pixel.x())), v = static_cast<int>(std::lround(pixel.y()));
   const int border = options.border_px;
   if (u < border || v < border || u >= depth.cols - border || v >= depth.rows - border) return std::nullopt;

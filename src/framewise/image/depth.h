@@ -13,7 +13,8 @@ namespace framewise {
 cv::Mat depth_from_raw(const cv::Mat& raw, double factor, double max_depth);
 
 struct DepthLookupOptions {
-  // A pixel this near to the image's border has no depth: sensors smear and registration shifts there (pixels).
+  // A pixel this near to the image's border has no depth: sensors smear and registration shifts there
+  // (pixels).
   int border_px = 2;
   // Where the neighbours' depths differ by more than this share of the depth, the pixel is on an edge of an
   // object and either surface may be meant.
@@ -25,8 +26,9 @@ struct DepthLookupOptions {
   void check() const;
 };
 
-// Depth (m) at a sub-pixel position, from the 3 x 3 pixels around the nearest one. Empty when the pixel or more
-// than half of its neighbours are unknown, at the border, and on depth edges.
-std::optional<double> depth_at(const cv::Mat& depth, const Eigen::Vector2d& pixel, const DepthLookupOptions& options);
+// Depth (m) at a sub-pixel position, from the 3 x 3 pixels around the nearest one. Empty when the pixel or
+// more than half of its neighbours are unknown, at the border, and on depth edges.
+std::optional<double> depth_at(const cv::Mat& depth, const Eigen::Vector2d& pixel,
+                               const DepthLookupOptions& options);
 
 }  // namespace framewise

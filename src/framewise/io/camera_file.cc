@@ -18,22 +18,24 @@ namespace {
 class Fields {
  public:
   explicit Fields(const std::filesystem::path& path) : path_(path) {
-    if (!std::filesystem::is_regular_file(path)) throw InputError(path, "", "no file", "a camera file (YAML)");
+    if (!std::filesystem::is_regular_file(path))
+      throw InputError(path, 0, "", "no file", "a camera file (YAML)");
     try {
       root_ = YAML::LoadFile(path.string());
     } catch (const YAML::Exception& error) {
-      throw InputError(path, fmt::format("line {}", error.mark.line + 1), error.msg, "YAML");
+      throw InputError(path, error.mark.line + 1, "", error.msg, "YAML");
     }
-    if (!root_.IsMap()) throw InputError(path, "", "no map of fields", "a camera file (model, width, height, fx, …)");
+    if (!root_.IsMap())
+      throw InputError(path, 0, "", "no map of fields", "a camera file (model, width, height, fx, …)");
   }
 
   template <typename T>
   T get(const std::string& name, const char* expected) const {
-    if (!root_[name]) throw InputError(path_, name, "nothing", expected);
+    if (!root_[name]) throw InputError(path_, 0, name, "nothing", expected);
     try {
       return root_[name].as<T>();
     } catch (const YAML::Exception&) {
-      throw InputError(path_, name, "'" + YAML::Dump(root_[name]) + "'", expected);
+      throw InputError(path_, 0, name, "'" + YAML::Dump(root_[name]) + "'", expected);
     }
   }
 
@@ -50,10 +52,11 @@ class Fields {
 CameraModel read_model(const std::filesystem::path& path, const std::string& name) {
   for (const CameraModel model : {CameraModel::pinhole, CameraModel::fisheye, CameraModel::equirectangular})
     if (name == name_of(model)) return model;
-  throw InputError(path, "model", "'" + name + "'", "pinhole, fisheye or equirectangular");
+  throw InputError(path, 0, "model", "'" + name + "'", "pinhole, fisheye or equirectangular");
 }
 
-CameraFile pinhole_640x480(double fx, double fy, double cx, double cy, const std::array<double, 5>& distortion) {
+CameraFile pinhole_640x480(double fx, double fy, double cx, double cy,
+                           const std::array<double, 5>& distortion) {
   CameraFile file;
   file.camera = {CameraModel::pinhole, 640, 480, fx, fy, cx, cy, distortion};
   return file;
@@ -79,14 +82,16 @@ CameraFile read_camera_file(const std::filesystem::path& path) {
     const auto values = fields.get_or<std::vector<double>>("distortion", {}, "a list of 4 or 5 numbers");
     const std::size_t most = camera.model == CameraModel::pinhole ? 5 : 4;
     if (values.size() > most || (!values.empty() && values.size() < 4))
-      throw InputError(path, "distortion", fmt::format("{} numbers", values.size()),
+      throw InputError(path, 0, "distortion", fmt::format("{} numbers", values.size()),
                        most == 5 ? "k1, k2, p1, p2 and perhaps k3" : "k1, k2, k3, k4");
     std::copy(values.begin(), values.end(), camera.distortion.begin());
   }
   file.depth_factor = fields.get_or<double>("depth_factor", file.depth_factor, "raw units per metre");
   file.depth_max = fields.get_or<double>("depth_max", file.depth_max, "metres");
-  if (!(file.depth_factor > 0)) throw InputError(path, "depth_factor", fmt::format("{}", file.depth_factor), "more than 0");
-  if (!(file.depth_max > 0)) throw InputError(path, "depth_max", fmt::format("{}", file.depth_max), "more than 0");
+  if (!(file.depth_factor > 0))
+    throw InputError(path, 0, "depth_factor", fmt::format("{}", file.depth_factor), "more than 0");
+  if (!(file.depth_max > 0))
+    throw InputError(path, 0, "depth_max", fmt::format("{}", file.depth_max), "more than 0");
   try {
     camera.check();
   } catch (const std::invalid_argument& error) {

@@ -38,8 +38,7 @@ fs::path existing_file(const fs::path& list, const ListedFile& listed, Fingerpri
   std::error_code error;
   const auto size = fs::file_size(path, error);
   if (error)
-    throw InputError(list, fmt::format("line {}", listed.line), fmt::format("'{}'", listed.file.string()),
-                     "a file that exists");
+    throw InputError(list, listed.line, "", fmt::format("'{}'", listed.file.string()), "a file that exists");
   fingerprint.add(fmt::format("{} {} {}\n", listed.time, listed.file.generic_string(), size));
   return path;
 }
@@ -53,7 +52,8 @@ std::vector<FrameFiles> frames_from_associations(const fs::path& list, Fingerpri
   return frames;
 }
 
-std::vector<FrameFiles> frames_from_lists(const fs::path& folder, double max_difference, Fingerprint& fingerprint) {
+std::vector<FrameFiles> frames_from_lists(const fs::path& folder, double max_difference,
+                                          Fingerprint& fingerprint) {
   const fs::path color_list = folder / "rgb.txt", depth_list = folder / "depth.txt";
   const auto colors = read_file_list(color_list);
   const auto depths = fs::exists(depth_list) ? read_file_list(depth_list) : std::vector<ListedFile>();
@@ -64,10 +64,10 @@ std::vector<FrameFiles> frames_from_lists(const fs::path& folder, double max_dif
   };
   const auto partner = associate_by_time(times_of(colors), times_of(depths), max_difference);
   if (!depths.empty() && std::all_of(partner.begin(), partner.end(), [](int j) { return j < 0; }))
-    throw InputError(depth_list, "",
+    throw InputError(depth_list, 0, "",
                      fmt::format("times {} to {} s", depths.front().time, depths.back().time),
-                     fmt::format("times within {} s of rgb.txt's, {} to {} s", max_difference, colors.front().time,
-                                 colors.back().time));
+                     fmt::format("times within {} s of rgb.txt's, {} to {} s", max_difference,
+                                 colors.front().time, colors.back().time));
 
   std::vector<FrameFiles> frames;
   for (std::size_t i = 0; i < colors.size(); ++i) {
@@ -78,7 +78,8 @@ std::vector<FrameFiles> frames_from_lists(const fs::path& folder, double max_dif
   return frames;
 }
 
-// The benchmark's three cameras are told by the folder's name or by the line "# file: 'rgbd_dataset_freiburgN_…'".
+// The benchmark's three cameras are told by the folder's name or by the line "# file:
+// 'rgbd_dataset_freiburgN_…'".
 std::optional<std::string> tum_camera_name(const fs::path& folder) {
   const std::regex pattern("freiburg[123]");
   std::smatch found;
@@ -98,14 +99,16 @@ std::pair<CameraFile, std::string> find_calibration(const fs::path& folder, cons
     if (!file.empty() && (file == options.camera_file || fs::exists(file)))
       return {read_camera_file(file), file.filename().string()};
   if (const auto name = tum_camera_name(folder)) return {*tum_calibration(*name), *name};
-  throw InputError(folder, "calibration", "neither camera.yaml nor a name of the TUM benchmark (freiburg1, 2, 3)",
+  throw InputError(folder, 0, "calibration",
+                   "neither camera.yaml nor a name of the TUM benchmark (freiburg1, 2, 3)",
                    "a camera file: --camera FILE");
 }
 
 void check_truth(const fs::path& file, const Trajectory& truth, const std::vector<FrameFiles>& frames) {
   if (truth.times.front() <= frames.back().time && truth.times.back() >= frames.front().time) return;
-  throw InputError(file, "", fmt::format("times {} to {} s", truth.times.front(), truth.times.back()),
-                   fmt::format("times that overlap the images', {} to {} s", frames.front().time, frames.back().time));
+  throw InputError(
+      file, 0, "", fmt::format("times {} to {} s", truth.times.front(), truth.times.back()),
+      fmt::format("times that overlap the images', {} to {} s", frames.front().time, frames.back().time));
 }
 
 fs::path association_file(const fs::path& folder) {
@@ -129,9 +132,11 @@ void DatasetOptions::check() const {
 
 Dataset open_dataset(const fs::path& folder, const DatasetOptions& options) {
   options.check();
-  if (!fs::is_directory(folder)) throw InputError(folder, "", "no folder", "a data set in TUM RGB-D layout");
+  if (!fs::is_directory(folder))
+    throw InputError(folder, 0, "", "no folder", "a data set in TUM RGB-D layout");
   if (!fs::exists(folder / "rgb.txt") && association_file(folder).empty())
-    throw InputError(folder, "", "no rgb.txt", "a data set in TUM RGB-D layout (rgb.txt, depth.txt, groundtruth.txt)");
+    throw InputError(folder, 0, "", "no rgb.txt",
+                     "a data set in TUM RGB-D layout (rgb.txt, depth.txt, groundtruth.txt)");
 
   Dataset dataset;
   Fingerprint fingerprint;
@@ -145,12 +150,12 @@ Dataset open_dataset(const fs::path& folder, const DatasetOptions& options) {
   const fs::path associations = association_file(folder);
   dataset.frames = associations.empty() ? frames_from_lists(folder, options.max_time_difference, fingerprint)
                                         : frames_from_associations(associations, fingerprint);
-  dataset.frames_with_depth =
-      std::count_if(dataset.frames.begin(), dataset.frames.end(), [](const auto& f) { return !f.depth.empty(); });
+  dataset.frames_with_depth = std::count_if(dataset.frames.begin(), dataset.frames.end(),
+                                            [](const auto& f) { return !f.depth.empty(); });
   dataset.fingerprint = fingerprint.text();
 
   if (const fs::path truth_file = folder / "groundtruth.txt"; fs::exists(truth_file)) {
-    dataset.truth = read_tum_trajectory(truth_file);
+    dataset.truth = read_trajectory(truth_file, TrajectoryFormat::tum).trajectory;
     check_truth(truth_file, dataset.truth, dataset.frames);
   }
   return dataset;
@@ -161,7 +166,7 @@ Frame load_frame(const Dataset& dataset, std::size_t index) {
   const Camera& camera = dataset.calibration.camera;
   const auto check_size = [&](const fs::path& path, const cv::Mat& image) {
     if (image.cols == camera.width && image.rows == camera.height) return;
-    throw InputError(path, "size", fmt::format("{} x {}", image.cols, image.rows),
+    throw InputError(path, 0, "size", fmt::format("{} x {}", image.cols, image.rows),
                      fmt::format("{} x {} as in the calibration ({})", camera.width, camera.height,
                                  dataset.calibration_source));
   };

@@ -15,20 +15,20 @@
 namespace framewise {
 
 struct DatasetOptions {
-  std::filesystem::path camera_file;        // empty: camera.yaml in the folder, else the calibration known by name
-  std::optional<double> depth_factor;       // overrides the calibration's
-  std::optional<double> depth_max;          // m, likewise
-  double max_time_difference = 0.02;        // colour and depth farther apart are not one frame (s)
-  double max_truth_gap = 0.1;               // no truth is interpolated across a hole longer than this (s)
+  std::filesystem::path camera_file;   // empty: camera.yaml in the folder, else the calibration known by name
+  std::optional<double> depth_factor;  // overrides the calibration's
+  std::optional<double> depth_max;     // m, likewise
+  double max_time_difference = 0.02;   // colour and depth farther apart are not one frame (s)
+  double max_truth_gap = 0.1;          // no truth is interpolated across a hole longer than this (s)
 
   // Throws std::invalid_argument that names the value.
   void check() const;
 };
 
 struct FrameFiles {
-  double time = 0;                    // of the colour image (s)
+  double time = 0;  // of the colour image (s)
   std::filesystem::path color;
-  std::filesystem::path depth;        // empty where no depth image is close enough in time
+  std::filesystem::path depth;  // empty where no depth image is close enough in time
 };
 
 // A recording on disk: what there is, nothing decoded.
@@ -36,11 +36,11 @@ struct Dataset {
   std::string name, format;
   std::filesystem::path folder;
   CameraFile calibration;
-  std::string calibration_source;     // the file, or the name the calibration is known by
-  std::vector<FrameFiles> frames;     // in time order
+  std::string calibration_source;  // the file, or the name the calibration is known by
+  std::vector<FrameFiles> frames;  // in time order
   std::size_t frames_with_depth = 0;
-  Trajectory truth;                   // as recorded; empty where there is none
-  std::string fingerprint;            // of the lists and the files' sizes, 16 hexadecimal digits
+  Trajectory truth;         // as recorded; empty where there is none
+  std::string fingerprint;  // of the lists and the files' sizes, 16 hexadecimal digits
 };
 
 // Opens a folder in TUM RGB-D layout: rgb.txt, depth.txt (optional), groundtruth.txt (optional),

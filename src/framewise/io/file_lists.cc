@@ -22,9 +22,10 @@ struct Line {
 };
 
 // The lines that say something, split at blanks.
-std::vector<Line> read_words(const std::filesystem::path& path, std::size_t words_expected, const char* expected) {
+std::vector<Line> read_words(const std::filesystem::path& path, std::size_t words_expected,
+                             const char* expected) {
   std::ifstream file(path);
-  if (!file) throw InputError(path, "", "no file", expected);
+  if (!file) throw InputError(path, 0, "", "no file", expected);
   std::vector<Line> lines;
   std::string text;
   for (int number = 1; std::getline(file, text); ++number) {
@@ -33,10 +34,10 @@ std::vector<Line> read_words(const std::filesystem::path& path, std::size_t word
     for (std::string word; stream >> word;) line.words.push_back(word);
     if (line.words.empty()) continue;
     if (line.words.size() != words_expected)
-      throw InputError(path, fmt::format("line {}", number), fmt::format("{} words", line.words.size()), expected);
+      throw InputError(path, number, "", fmt::format("{} words", line.words.size()), expected);
     lines.push_back(std::move(line));
   }
-  if (lines.empty()) throw InputError(path, "", "an empty list", expected);
+  if (lines.empty()) throw InputError(path, 0, "", "an empty list", expected);
   return lines;
 }
 
@@ -44,7 +45,7 @@ double parse_time(const std::filesystem::path& path, int line, const std::string
   double time = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), time);
   if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(time))
-    throw InputError(path, fmt::format("line {}", line), "'" + word + "'", "a time in seconds");
+    throw InputError(path, line, "", "'" + word + "'", "a time in seconds");
   return time;
 }
 
@@ -53,14 +54,14 @@ void check_seconds(const std::filesystem::path& path, const std::vector<double>&
                    const std::vector<int>& lines) {
   for (std::size_t i = 1; i < times.size(); ++i)
     if (times[i] <= times[i - 1])
-      throw InputError(path, fmt::format("line {}", lines[i]), fmt::format("time {} after {}", times[i], times[i - 1]),
+      throw InputError(path, lines[i], "", fmt::format("time {} after {}", times[i], times[i - 1]),
                        "times that increase (is this one recording?)");
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
   if (!steps.empty()) std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
   const bool too_late = times.front() > 1e11;
   if (too_late || (!steps.empty() && steps[steps.size() / 2] > 1000))
-    throw InputError(path, fmt::format("line {}", lines.front()), fmt::format("time {}", times.front()),
+    throw InputError(path, lines.front(), "", fmt::format("time {}", times.front()),
                      "seconds (are these nano-, micro- or milliseconds?)");
 }
 

@@ -15,8 +15,8 @@ struct ListedFile {
   int line = 0;
 };
 
-// Reads "time file" lines; '#' starts a comment. Throws InputError for an empty list, a line that is not a time
-// and a name, times that do not increase, and times that are not seconds.
+// Reads "time file" lines; '#' starts a comment. Throws InputError for an empty list, a line that is not a
+// time and a name, times that do not increase, and times that are not seconds.
 std::vector<ListedFile> read_file_list(const std::filesystem::path& path);
 
 struct AssociatedFiles {
@@ -26,8 +26,8 @@ struct AssociatedFiles {
 // Reads "time file time file" lines (colour first), as the TUM benchmark's associate.py writes them.
 std::vector<AssociatedFiles> read_association_list(const std::filesystem::path& path);
 
-// For each time of `times` the index of its partner in `others`, or -1: pairs closer than max_difference (s), each
-// used once, the closest pairs first. Both ascending.
+// For each time of `times` the index of its partner in `others`, or -1: pairs closer than max_difference (s),
+// each used once, the closest pairs first. Both ascending.
 std::vector<int> associate_by_time(const std::vector<double>& times, const std::vector<double>& others,
                                    double max_difference);
 

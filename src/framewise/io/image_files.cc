@@ -20,20 +20,20 @@ using Bytes = std::vector<unsigned char>;
 
 Bytes read_bytes(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file || std::filesystem::is_directory(path)) throw InputError(path, "", "no file", "an image");
+  if (!file || std::filesystem::is_directory(path)) throw InputError(path, 0, "", "no file", "an image");
   const std::streamsize size = file.tellg();
   Bytes bytes(static_cast<std::size_t>(size));
   file.seekg(0);
   file.read(reinterpret_cast<char*>(bytes.data()), size);
-  if (file.gcount() != size) throw InputError(path, "", "a file that cannot be read", "an image");
-  if (bytes.empty()) throw InputError(path, "", "an empty file", "an image");
+  if (file.gcount() != size) throw InputError(path, 0, "", "a file that cannot be read", "an image");
+  if (bytes.empty()) throw InputError(path, 0, "", "an empty file", "an image");
   return bytes;
 }
 
 bool starts_with(const Bytes& bytes, std::string_view magic) {
-  return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin(), [](char a, auto b) {
-           return static_cast<unsigned char>(a) == b;
-         });
+  return bytes.size() >= magic.size() &&
+         std::equal(magic.begin(), magic.end(), bytes.begin(),
+                    [](char a, auto b) { return static_cast<unsigned char>(a) == b; });
 }
 
 bool contains_near_end(const Bytes& bytes, std::string_view mark) {
@@ -52,14 +52,14 @@ bool is_cut_short(const Bytes& bytes) {
 cv::Mat decode(const std::filesystem::path& path, int flags) {
   const Bytes bytes = read_bytes(path);
   if (is_cut_short(bytes))
-    throw InputError(path, "", fmt::format("{} bytes without an end mark", bytes.size()), "a whole image");
+    throw InputError(path, 0, "", fmt::format("{} bytes without an end mark", bytes.size()), "a whole image");
   cv::Mat image;
   try {
     image = cv::imdecode(bytes, flags);
   } catch (const cv::Exception&) {
     image.release();
   }
-  if (image.empty()) throw InputError(path, "", "data that no image format explains", "an image");
+  if (image.empty()) throw InputError(path, 0, "", "data that no image format explains", "an image");
   return image;
 }
 
@@ -70,7 +70,7 @@ cv::Mat read_gray(const std::filesystem::path& path) { return decode(path, cv::I
 cv::Mat read_depth16(const std::filesystem::path& path) {
   const cv::Mat image = decode(path, cv::IMREAD_UNCHANGED);
   if (image.type() != CV_16UC1)
-    throw InputError(path, "pixel type",
+    throw InputError(path, 0, "pixel type",
                      fmt::format("{} channel(s) of {} bits", image.channels(), 8 * image.elemSize1()),
                      "16-bit depth in one channel");
   return image;

@@ -8,12 +8,15 @@
 
 namespace framewise {
 
-// A file that cannot be used, in one line: path, line or field, what was found, what was expected.
+// A file that cannot be used: one line that names the file, the line (from 1; 0: the file as a whole), the
+// field, what was found and what was expected.
+//   runs/a.txt:12: qw: found 'abc', expected a number
 class InputError : public std::runtime_error {
  public:
-  InputError(const std::filesystem::path& path, const std::string& where, const std::string& found,
-             const std::string& expected)
-      : std::runtime_error(path.string() + (where.empty() ? "" : ": " + where) + ": found " + found + ", expected " +
+  InputError(const std::filesystem::path& path, std::size_t line, const std::string& field,
+             const std::string& found, const std::string& expected)
+      : std::runtime_error(path.string() + (line > 0 ? ":" + std::to_string(line) : "") + ": " +
+                           (field.empty() ? "" : field + ": ") + "found " + found + ", expected " +
                            expected) {}
 };
 

@@ -13,15 +13,15 @@ namespace fs = std::filesystem;
 
 std::ofstream open_for_writing(const fs::path& path) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  if (!file) throw InputError(path, "", "a file that cannot be written", "a folder to write to (--out)");
+  if (!file) throw InputError(path, 0, "", "a file that cannot be written", "a folder to write to (--out)");
   return file;
 }
 
 // x y z and the quaternion x y z w, shortest decimals that read back as the same numbers.
 std::string numbers(const Pose& pose, char separator) {
   const Eigen::Quaterniond q = pose.quaternion();
-  return fmt::format("{1}{0}{2}{0}{3}{0}{4}{0}{5}{0}{6}{0}{7}", separator, pose.t.x(), pose.t.y(), pose.t.z(), q.x(),
-                     q.y(), q.z(), q.w());
+  return fmt::format("{1}{0}{2}{0}{3}{0}{4}{0}{5}{0}{6}{0}{7}", separator, pose.t.x(), pose.t.y(), pose.t.z(),
+                     q.x(), q.y(), q.z(), q.w());
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ RunFiles::RunFiles(const fs::path& folder) : folder_(folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error || !fs::is_directory(folder))
-    throw InputError(folder, "", "a path that is no folder", "a folder to write to (--out)");
+    throw InputError(folder, 0, "", "a path that is no folder", "a folder to write to (--out)");
   trajectory_ = open_for_writing(folder / "trajectory.tum");
   frames_ = open_for_writing(folder / "frames.csv");
   trajectory_ << "# time tx ty tz qx qy qz qw (s, m; world_from_camera, world = the first camera)\n";
@@ -40,10 +40,12 @@ RunFiles::RunFiles(const fs::path& folder) : folder_(folder) {
 
 void RunFiles::add(const FrameLine& line) {
   trajectory_ << fmt::format("{} {}\n", line.time, numbers(line.world_from_cam, ' '));
-  frames_ << fmt::format("{},{},{},{},{},{},{:.3f},{:.3f},{:.3f}\n", line.index, line.time, line.status, line.matches,
-                         line.inliers, line.has_step ? numbers(line.cam1_from_cam2, ',') : ",,,,,,", line.load_ms,
+  frames_ << fmt::format("{},{},{},{},{},{},{:.3f},{:.3f},{:.3f}\n", line.index, line.time, line.status,
+                         line.matches, line.inliers,
+                         line.has_step ? numbers(line.cam1_from_cam2, ',') : ",,,,,,", line.load_ms,
                          line.features_ms, line.step_ms);
-  if (!trajectory_ || !frames_) throw std::runtime_error(folder_.string() + ": writing failed (is the disk full?)");
+  if (!trajectory_ || !frames_)
+    throw std::runtime_error(folder_.string() + ": writing failed (is the disk full?)");
 }
 
 void RunFiles::write_record(const std::string& json) const {

@@ -15,11 +15,11 @@ namespace framewise {
 // What odometry keeps of a frame: its features with their bearings and, where depth is known, their points.
 // bearings[i] and points[i] belong to features.keypoints[i].
 struct Observation {
-  double time = 0;                       // s
+  double time = 0;  // s
   Features features;
-  std::vector<Bearing> bearings;         // unit length; features the lens model cannot explain are left out
-  std::vector<Eigen::Vector3d> points;   // in the camera (m); NaN where depth is unknown
-  bool has_depth = false;                // the frame came with a depth image
+  std::vector<Bearing> bearings;        // unit length; features the lens model cannot explain are left out
+  std::vector<Eigen::Vector3d> points;  // in the camera (m); NaN where depth is unknown
+  bool has_depth = false;               // the frame came with a depth image
 };
 
 Observation observe(const Frame& frame, const Camera& camera, const FeatureOptions& features,

@@ -33,10 +33,12 @@ std::uint64_t pair_seed(std::uint64_t seed, std::size_t index1, std::size_t inde
   return z ^ (z >> 31);
 }
 
-// The stages. Observing and relating are pure and run side by side; pairing and joining see the frames in order.
+// The stages. Observing and relating are pure and run side by side; pairing and joining see the frames in
+// order.
 class Odometer {
  public:
-  Odometer(const FrameSource& frames, const Camera& camera, const OdometryOptions& options, const Clock& clock)
+  Odometer(const FrameSource& frames, const Camera& camera, const OdometryOptions& options,
+           const Clock& clock)
       : frames_(frames), camera_(camera), options_(options), clock_(clock), joiner_(options.max_bridge) {}
 
   PassagePtr begin() {
@@ -83,13 +85,15 @@ class Odometer {
   }
 
  private:
-  Step relate(const Observation& frame1, std::size_t index1, const Observation& frame2, std::size_t index2) const {
+  Step relate(const Observation& frame1, std::size_t index1, const Observation& frame2,
+              std::size_t index2) const {
     std::optional<double> true_length;
     if (options_.scale == "truth") {
       const auto world_from_cam1 = frames_.truth(index1), world_from_cam2 = frames_.truth(index2);
       if (world_from_cam1 && world_from_cam2) true_length = (world_from_cam2->t - world_from_cam1->t).norm();
     }
-    return estimate_step(frame1, frame2, camera_, options_, pair_seed(options_.seed, index1, index2), true_length);
+    return estimate_step(frame1, frame2, camera_, options_, pair_seed(options_.seed, index1, index2),
+                         true_length);
   }
 
   const FrameSource& frames_;
@@ -103,8 +107,8 @@ class Odometer {
 
 }  // namespace
 
-void run_odometry(const FrameSource& frames, const Camera& camera, const OdometryOptions& options, const Clock& clock,
-                  const std::function<void(const FrameResult&)>& sink) {
+void run_odometry(const FrameSource& frames, const Camera& camera, const OdometryOptions& options,
+                  const Clock& clock, const std::function<void(const FrameResult&)>& sink) {
   options.check();
   camera.check();
   Odometer odometer(frames, camera, options, clock);
@@ -119,11 +123,13 @@ void run_odometry(const FrameSource& frames, const Camera& camera, const Odometr
           if (!odometer.at_end()) return odometer.begin();
           flow.stop();
           return nullptr;
-        }) &
-            tbb::make_filter<PassagePtr, PassagePtr>(kSideBySide, [&](PassagePtr p) { return odometer.observe(*p), p; }) &
-            tbb::make_filter<PassagePtr, PassagePtr>(kInOrder, [&](PassagePtr p) { return odometer.pair(*p), p; }) &
-            tbb::make_filter<PassagePtr, PassagePtr>(kSideBySide, [&](PassagePtr p) { return odometer.relate(*p), p; }) &
-            tbb::make_filter<PassagePtr, void>(kInOrder, [&](PassagePtr p) { sink(odometer.join(*p)); }));
+        }) & tbb::make_filter<PassagePtr, PassagePtr>(kSideBySide, [&](PassagePtr p) {
+          return odometer.observe(*p), p;
+        }) & tbb::make_filter<PassagePtr, PassagePtr>(kInOrder, [&](PassagePtr p) {
+          return odometer.pair(*p), p;
+        }) & tbb::make_filter<PassagePtr, PassagePtr>(kSideBySide, [&](PassagePtr p) {
+          return odometer.relate(*p), p;
+        }) & tbb::make_filter<PassagePtr, void>(kInOrder, [&](PassagePtr p) { sink(odometer.join(*p)); }));
   });
 }
 

@@ -42,9 +42,11 @@ class Wall {
   cv::Mat wall_;
 };
 
-std::vector<FrameResult> run(const FrameSource& source, const Camera& camera, const OdometryOptions& options) {
+std::vector<FrameResult> run(const FrameSource& source, const Camera& camera,
+                             const OdometryOptions& options) {
   std::vector<FrameResult> results;
-  run_odometry(source, camera, options, [] { return 0.0; }, [&](const FrameResult& r) { results.push_back(r); });
+  run_odometry(
+      source, camera, options, [] { return 0.0; }, [&](const FrameResult& r) { results.push_back(r); });
   return results;
 }
 
@@ -80,7 +82,8 @@ TEST(RunOdometry, AStandingCameraStands) {
   const Wall wall;
   FrameSource source = wall.source(5);
   source.load = [&](std::size_t) { return wall.frame(3); };
-  for (const FrameResult& result : run(source, wall.camera(), {})) EXPECT_LT(result.world_from_cam.t.norm(), 1e-12);
+  for (const FrameResult& result : run(source, wall.camera(), {}))
+    EXPECT_LT(result.world_from_cam.t.norm(), 1e-12);
 }
 
 TEST(RunOdometry, HandsOverWhatCameBeforeAFailure) {
@@ -91,8 +94,9 @@ TEST(RunOdometry, HandsOverWhatCameBeforeAFailure) {
     return wall.frame(i);
   };
   std::vector<std::size_t> seen;
-  EXPECT_THROW(run_odometry(source, wall.camera(), {}, [] { return 0.0; },
-                            [&](const FrameResult& result) { seen.push_back(result.index); }),
+  EXPECT_THROW(run_odometry(
+                   source, wall.camera(), {}, [] { return 0.0; },
+                   [&](const FrameResult& result) { seen.push_back(result.index); }),
                std::runtime_error);
   ASSERT_EQ(seen.size(), 11u);
   EXPECT_EQ(seen.back(), 10u);

@@ -19,7 +19,8 @@ void require_one_of(const char* option, const std::string& found, std::initializ
 
 void require(bool holds, const char* option, double found, const char* expected) {
   if (!holds)
-    throw std::invalid_argument(std::string(option) + ": found " + std::to_string(found) + ", expected " + expected);
+    throw std::invalid_argument(std::string(option) + ": found " + std::to_string(found) + ", expected " +
+                                expected);
 }
 
 }  // namespace

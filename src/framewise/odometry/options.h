@@ -13,18 +13,18 @@ namespace framewise {
 
 // How `framewise run` turns frames into a trajectory. The names are those of the command line.
 struct OdometryOptions {
-  std::string solver = "kabsch";        // kabsch (3D-3D, metric) or eight-point (bearings alone)
-  std::string error = "default";        // kabsch: point-to-point; eight-point: sampson
-  std::string scale = "depth";          // length of an eight-point step: depth, truth or none (each step 1)
+  std::string solver = "kabsch";  // kabsch (3D-3D, metric) or eight-point (bearings alone)
+  std::string error = "default";  // kabsch: point-to-point; eight-point: sampson
+  std::string scale = "depth";    // length of an eight-point step: depth, truth or none (each step 1)
   FeatureOptions features;
   std::string matcher = "brute-force";  // exact, with cross-check
   DepthLookupOptions depth;
   RansacOptions ransac;
-  double max_error_m = 0.05;            // kabsch: two points farther apart than this disagree (m)
-  double max_error_px = 1.5;            // eight-point: likewise for the distance to the epipolar line (pixels)
-  int min_inliers = 12;                 // fewer agree by chance; the frame is lost
-  double max_bridge = 1.0;              // how long the last good frame is kept as reference after a loss (s)
-  int threads = 0;                      // 0: all cores. The result does not depend on it
+  double max_error_m = 0.05;  // kabsch: two points farther apart than this disagree (m)
+  double max_error_px = 1.5;  // eight-point: likewise for the distance to the epipolar line (pixels)
+  int min_inliers = 12;       // fewer agree by chance; the frame is lost
+  double max_bridge = 1.0;    // how long the last good frame is kept as reference after a loss (s)
+  int threads = 0;            // 0: all cores. The result does not depend on it
   std::uint64_t seed = 0;
 
   // Throws std::invalid_argument that names the value, what was found and what was expected.

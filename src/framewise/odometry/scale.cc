@@ -7,7 +7,8 @@
 namespace framewise {
 
 std::optional<double> length_from_depth(const Pose& cam2_from_cam1, std::span<const Eigen::Vector3d> X1,
-                                        std::span<const Eigen::Vector3d> X2, std::span<const std::uint8_t> inliers) {
+                                        std::span<const Eigen::Vector3d> X2,
+                                        std::span<const std::uint8_t> inliers) {
   std::vector<double> lengths;
   for (std::size_t i = 0; i < X1.size(); ++i)
     if (inliers[i] && X1[i].allFinite() && X2[i].allFinite())

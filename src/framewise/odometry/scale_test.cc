@@ -27,7 +27,8 @@ struct Points {
 };
 
 TEST(LengthFromDepth, IsExactWithoutNoiseWhateverTheSign) {
-  for (const double length : {0.0, 0.01, 0.5, 3.0, -0.2}) EXPECT_NEAR(Points(length).length().value(), length, 1e-14);
+  for (const double length : {0.0, 0.01, 0.5, 3.0, -0.2})
+    EXPECT_NEAR(Points(length).length().value(), length, 1e-14);
 }
 
 TEST(LengthFromDepth, DoesNotHearOutliersAndWrongDepths) {

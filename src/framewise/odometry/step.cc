@@ -20,7 +20,8 @@ struct SharedSight {
   std::vector<Eigen::Vector3d> known1, known2;
 };
 
-SharedSight share(const Observation& frame1, const Observation& frame2, const std::vector<FeatureMatch>& matches) {
+SharedSight share(const Observation& frame1, const Observation& frame2,
+                  const std::vector<FeatureMatch>& matches) {
   SharedSight sight;
   for (const FeatureMatch& match : matches) {
     const Eigen::Vector3d &X1 = frame1.points[match.index1], &X2 = frame2.points[match.index2];
@@ -40,8 +41,12 @@ Step with_estimate(Step step, const std::optional<Estimate>& estimate, int min_i
   step.inliers = static_cast<int>(estimate->num_inliers);
   step.cam2_from_cam1 = estimate->cam2_from_cam1;
   switch (estimate->kind) {
-    case EstimateKind::kFull: step.status = Status::kOk; break;
-    case EstimateKind::kLowParallax: step.status = Status::kLowParallax; break;
+    case EstimateKind::kFull:
+      step.status = Status::kOk;
+      break;
+    case EstimateKind::kLowParallax:
+      step.status = Status::kLowParallax;
+      break;
     case EstimateKind::kRotationOnly:
       step.status = Status::kRotationOnly;
       step.cam2_from_cam1.t.setZero();
@@ -50,7 +55,8 @@ Step with_estimate(Step step, const std::optional<Estimate>& estimate, int min_i
   return step;
 }
 
-Step register_points(Step step, const SharedSight& sight, const OdometryOptions& options, std::uint64_t seed) {
+Step register_points(Step step, const SharedSight& sight, const OdometryOptions& options,
+                     std::uint64_t seed) {
   if (static_cast<int>(sight.known1.size()) < options.min_inliers) {
     if (step.matches >= options.min_inliers) step.status = Status::kNoDepth;
     return step;
@@ -59,11 +65,12 @@ Step register_points(Step step, const SharedSight& sight, const OdometryOptions&
   registration.ransac = options.ransac;
   registration.ransac.seed = seed;
   registration.max_error = options.max_error_m;
-  return with_estimate(step, estimate_registration(sight.known1, sight.known2, registration), options.min_inliers);
+  return with_estimate(step, estimate_registration(sight.known1, sight.known2, registration),
+                       options.min_inliers);
 }
 
-Step relate_bearings(Step step, const SharedSight& sight, const Camera& camera, const OdometryOptions& options,
-                     std::uint64_t seed, std::optional<double> true_length) {
+Step relate_bearings(Step step, const SharedSight& sight, const Camera& camera,
+                     const OdometryOptions& options, std::uint64_t seed, std::optional<double> true_length) {
   if (step.matches < options.min_inliers) return step;
   RelativePoseOptions relative;
   relative.ransac = options.ransac;
@@ -72,7 +79,8 @@ Step relate_bearings(Step step, const SharedSight& sight, const Camera& camera, 
   relative.max_error = options.max_error_px / camera.fx;
   const auto estimate = estimate_relative_pose(sight.x1, sight.x2, relative);
   step = with_estimate(step, estimate, options.min_inliers);
-  if (!is_measured(step.status) || step.status == Status::kRotationOnly || options.scale == "none") return step;
+  if (!is_measured(step.status) || step.status == Status::kRotationOnly || options.scale == "none")
+    return step;
 
   const auto length = options.scale == "truth"
                           ? true_length

@@ -12,15 +12,16 @@ TrajectoryJoiner::Joined TrajectoryJoiner::start(std::shared_ptr<const Observati
   return {step, world_from_reference_};
 }
 
-TrajectoryJoiner::Joined TrajectoryJoiner::add(std::shared_ptr<const Observation> frame, const Step& from_previous,
-                                               const Relate& relate) {
+TrajectoryJoiner::Joined TrajectoryJoiner::add(std::shared_ptr<const Observation> frame,
+                                               const Step& from_previous, const Relate& relate) {
   const bool previous_is_reference = reference_index_ == index_;
   ++index_;
   const double reference_age = frame->time - reference_->time;
   Step step = from_previous;
   if (!previous_is_reference && reference_age <= max_bridge_) step = relate(*reference_, reference_index_);
   // A reference that is too old is given up: go on from the frame before, at the pose that was last known.
-  if (is_measured(step.status)) refer_to(std::move(frame), world_from_reference_ * step.cam2_from_cam1.inverse());
+  if (is_measured(step.status))
+    refer_to(std::move(frame), world_from_reference_ * step.cam2_from_cam1.inverse());
   return {step, world_from_reference_};
 }
 

@@ -73,7 +73,8 @@ TEST(TrajectoryJoiner, GivesAnOldReferenceUpAndGoesOnFromTheFrameBefore) {
   for (double time = 0.2; time < 0.55; time += 0.1) joiner.add(frame_at(time), lost(), still_lost);
   const auto joined = joiner.add(frame_at(0.8), forward(), never_called);
   EXPECT_EQ(joined.step.status, Status::kOk);
-  EXPECT_LT((joined.world_from_cam.matrix() - (last * forward().cam2_from_cam1.inverse()).matrix()).norm(), 1e-12);
+  EXPECT_LT((joined.world_from_cam.matrix() - (last * forward().cam2_from_cam1.inverse()).matrix()).norm(),
+            1e-12);
 }
 
 TEST(TrajectoryJoiner, KeepsRotationsOrthogonalOverLongRecordings) {

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "framewise/evaluation/evaluation.h"
+#include "framewise/io/input_error.h"
+#include "framewise/io/trajectory_files.h"
+#include "framewise/report/evaluation_json.h"
+#include "framewise/report/evaluation_text.h"
+
+namespace framewise::apps {
+namespace {
+
+struct EvaluateCommand {
+  std::filesystem::path reference, estimate;
+  std::string align = "se3", unit = "frames", association = "nearest", pairs;
+  EvaluationOptions options;
+  bool json = false;
+};
+
+template <typename T>
+T choose(const char* option, const std::string& found, const std::map<std::string, T>& known) {
+  if (const auto choice = known.find(found); choice != known.end()) return choice->second;
+  std::string expected;
+  for (const auto& [name, value] : known) expected += (expected.empty() ? "" : ", ") + name;
+  throw std::invalid_argument(fmt::format("{}: found '{}', expected one of {}", option, found, expected));
+}
+
+Trajectory read_reference(const std::filesystem::path& path) {
+  if (!std::filesystem::is_directory(path)) return read_trajectory(path).trajectory;
+  const auto truth = path / "groundtruth.txt";
+  if (!std::filesystem::exists(truth))
+    throw InputError(path, 0, "", "no groundtruth.txt", "a data set with truth");
+  return read_trajectory(truth).trajectory;
+}
+
+int run(EvaluateCommand& command) {
+  EvaluationOptions& options = command.options;
+  options.alignment = alignment_from_name(command.align);
+  options.relative.unit = delta_unit_from_name(command.unit);
+  options.association.method = choose<AssociationMethod>("association", command.association,
+                                                         {{"nearest", AssociationMethod::nearest},
+                                                          {"greedy", AssociationMethod::greedy},
+                                                          {"interpolated", AssociationMethod::interpolated},
+                                                          {"index", AssociationMethod::index}});
+  if (!command.pairs.empty())
+    options.relative.pairs = choose<PairChoice>(
+        "pairs", command.pairs,
+        {{"consecutive", PairChoice::consecutive}, {"all", PairChoice::all}, {"tum", PairChoice::tum}});
+  options.check();
+
+  const Trajectory reference = read_reference(command.reference);
+  const Trajectory estimate = read_trajectory(command.estimate).trajectory;
+  const Evaluation evaluation = evaluate(reference, estimate, options);
+  if (command.json)
+    fmt::print("{}\n", to_json(evaluation).dump(2));
+  else
+    fmt::print("{}", evaluation_text(evaluation));
+  return 0;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& program, Action& action) {
+  const auto command = std::make_shared<EvaluateCommand>();
+  EvaluationOptions& options = command->options;
+  CLI::App* app = program.add_subcommand("evaluate", "How far an estimated trajectory is from the true one");
+  app->add_option("REFERENCE", command->reference,
+                  "trajectory file (TUM, KITTI, EuRoC) or data set with truth")
+      ->required();
+  app->add_option("ESTIMATE", command->estimate, "trajectory file")->required();
+  app->add_option("--align", command->align, "none, se3, sim3, scale, yaw or origin")->capture_default_str();
+  app->add_option("--delta", options.relative.delta, "span of the relative error")->capture_default_str();
+  app->add_option("--unit", command->unit, "of delta: frames, seconds, metres or degrees")
+      ->capture_default_str();
+  app->add_option(
+      "--pairs", command->pairs,
+      "consecutive (evo's default), all (evo's --all_pairs) or tum (their --fixed_delta; the default for "
+      "seconds)");
+  app->add_option(
+         "--association", command->association,
+         "nearest (evo), greedy (TUM tools), interpolated (truth moved to the estimate's times) or index")
+      ->capture_default_str();
+  app->add_option("--max-difference", options.association.max_difference,
+                  "largest time difference of a match (s)")
+      ->capture_default_str();
+  app->add_option("--time-offset", options.association.time_offset, "added to the estimate's times (s)")
+      ->capture_default_str();
+  app->add_flag("--json", command->json, "print one JSON object");
+  app->footer(
+      "Examples:\n"
+      "  framewise evaluate groundtruth.txt out/trajectory.tum\n"
+      "  framewise evaluate rgbd_dataset_freiburg1_desk out/trajectory.tum --delta 1 --unit seconds --json");
+  app->callback([command, &action] { action = [command] { return run(*command); }; });
+}
+
+}  // namespace framewise::apps
