@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/evaluation/pose_error.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "framewise/geometry/so3.h"
+
+namespace framewise {
+namespace {
+
+double size_of(const Pose& E, PoseRelation relation) {
+  const Eigen::Matrix3d I = Eigen::Matrix3d::Identity();
+  switch (relation) {
+    case PoseRelation::rotation_angle:
+      return rotation_angle(E.R);
+    case PoseRelation::rotation_part:
+      return (E.R - I).norm();
+    case PoseRelation::full:
+      return std::hypot((E.R - I).norm(), E.t.norm());
+    default:
+      return E.t.norm();
+  }
+}
+
+}  // namespace
+
+std::vector<double> absolute_errors(const TrajectoryPair& matched, PoseRelation relation) {
+  if (relation == PoseRelation::point_distance_ratio)
+    throw std::invalid_argument("absolute_errors: point_distance_ratio is defined for relative errors only");
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < matched.size(); ++i) {
+    const Pose& reference = matched.reference.world_from_cam[i];
+    const Pose& estimate = matched.estimate.world_from_cam[i];
+    const bool positions = relation == PoseRelation::translation || relation == PoseRelation::point_distance;
+    errors.push_back(positions ? (estimate.t - reference.t).norm()
+                               : size_of(estimate.inverse() * reference, relation));
+  }
+  return errors;
+}
+
+std::vector<double> relative_errors(std::span<const RelativeMotion> motions, PoseRelation relation,
+                                    RelativeErrorOrder order) {
+  std::vector<double> errors;
+  for (const RelativeMotion& motion : motions) {
+    const Pose &A = motion.reference, &B = motion.estimate;
+    const double difference = std::abs(motion.reference_distance - motion.estimate_distance);
+    if (relation == PoseRelation::point_distance) {
+      errors.push_back(difference);
+    } else if (relation == PoseRelation::point_distance_ratio) {
+      if (motion.reference_distance > 0) errors.push_back(difference / motion.reference_distance);
+    } else {
+      errors.push_back(
+          size_of(order == RelativeErrorOrder::tum ? A * B.inverse() : B.inverse() * A, relation));
+    }
+  }
+  return errors;
+}
+
+Trajectory projected(const Trajectory& trajectory, Plane plane) {
+  const int normal = plane == Plane::xy ? 2 : plane == Plane::xz ? 1 : 0;
+  Trajectory flat = trajectory;
+  for (Pose& pose : flat.world_from_cam) {
+    const Eigen::Matrix3d& R = pose.R;
+    const double angles[] = {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))),
+                             std::atan2(R(1, 0), R(0, 0))};
+    pose.R = so3_exp(angles[normal] * Eigen::Vector3d::Unit(normal));
+    pose.t[normal] = 0;
+  }
+  return flat;
+}
+
+}  // namespace framewise
