@@ -176,21 +176,28 @@ void expect_tum(const fs::path& folder, const Json& record) {
   }
 }
 
-// The devkit forms the angle in single precision from a cosine near 1, which is good to 3e-4 rad a segment:
-// its translation is met to the digits it prints, its rotation to what that leaves of a mean.
+// The devkit prints nine digits.
+void expect_nine_digits(double ours, const Json& theirs, const std::string& what) {
+  EXPECT_LE(std::abs(ours - theirs.get<double>()), 5e-9 * theirs.get<double>()) << what << ": " << ours;
+}
+
 void expect_kitti(const fs::path& folder, const Json& record) {
   const TrajectoryPair pair = {read_trajectory(folder / "kitti_gt.txt").trajectory,
                                read_trajectory(folder / "kitti_est.txt").trajectory};
   const SegmentErrors e = kitti_segment_errors(pair);
   EXPECT_EQ(e.segments.size(), record.at("segments").get<std::size_t>());
-  EXPECT_NEAR(e.translation_percent, record.at("t_err_percent").get<double>(), 1e-6);
-  EXPECT_NEAR(e.rotation_deg_per_100m, record.at("r_err_deg_per_100m").get<double>(), 1e-4);
+  expect_nine_digits(e.translation_percent, record.at("t_err_percent"), "translation");
+  expect_nine_digits(e.rotation_deg_per_100m, record.at("r_err_deg_per_100m"), "rotation");
   for (const auto& [length, expected] : record.at("by_length").items()) {
-    std::vector<double> translations;
-    for (const SegmentError& s : e.segments)
-      if (s.length == std::stod(length)) translations.push_back(100 * s.translation);
+    std::vector<double> translations, rotations;
+    for (const SegmentError& s : e.segments) {
+      if (s.length != std::stod(length)) continue;
+      translations.push_back(100 * s.translation);
+      rotations.push_back(s.rotation * 180 / M_PI);
+    }
     ASSERT_EQ(translations.size(), expected.at("n").get<std::size_t>()) << length;
-    EXPECT_NEAR(statistics(translations).mean, expected.at("t_percent").get<double>(), 1e-6) << length;
+    expect_nine_digits(statistics(translations).mean, expected.at("t_percent"), length);
+    expect_nine_digits(statistics(rotations).mean, expected.at("r_deg_per_m"), length);
   }
 }
 

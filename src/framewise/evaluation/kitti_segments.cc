@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/evaluation/kitti_segments.h"
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "framewise/geometry/so3.h"
@@ -9,18 +11,40 @@
 namespace framewise {
 namespace {
 
+// Length of a double vector, in the devkit's arithmetic.
+float float_length(const Eigen::Vector3d& v) {
+  const Eigen::Vector3f f = v.cast<float>();
+  return std::sqrt(f.x() * f.x() + f.y() * f.y() + f.z() * f.z());
+}
+
+// Angle of a rotation, in the devkit's arithmetic.
+float float_angle(const Eigen::Matrix3d& R) {
+  const Eigen::Vector3f diagonal = R.diagonal().cast<float>();
+  const float cosine = 0.5F * (diagonal[0] + diagonal[1] + diagonal[2] - 1.0F);
+  return std::acos(std::max(std::min(cosine, 1.0F), -1.0F));
+}
+
 std::vector<float> distances(const Trajectory& trajectory) {
+  const auto& poses = trajectory.world_from_cam;
   std::vector<float> along(trajectory.size(), 0.0F);
-  for (std::size_t i = 1; i < trajectory.size(); ++i) {
-    const Eigen::Vector3f step =
-        (trajectory.world_from_cam[i].t - trajectory.world_from_cam[i - 1].t).cast<float>();
-    along[i] = along[i - 1] + std::sqrt(step.x() * step.x() + step.y() * step.y() + step.z() * step.z());
-  }
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    along[i] = along[i - 1] + float_length(poses[i].t - poses[i - 1].t);
   return along;
 }
 
-Pose motion_between(const Trajectory& trajectory, std::size_t i, std::size_t j) {
-  return trajectory.world_from_cam[i].inverse() * trajectory.world_from_cam[j];
+// With an inverse, not a transpose: matrices of files are rotations to their printed digits only, and the
+// float above sees the difference.
+Eigen::Matrix4d motion_between(const Trajectory& trajectory, std::size_t i, std::size_t j) {
+  return trajectory.world_from_cam[i].matrix().inverse() * trajectory.world_from_cam[j].matrix();
+}
+
+SegmentError segment_error(const TrajectoryPair& matched, std::size_t first, std::size_t last, int length) {
+  const Eigen::Matrix4d E = motion_between(matched.estimate, first, last).inverse() *
+                            motion_between(matched.reference, first, last);
+  const Eigen::Matrix3d R = E.topLeftCorner<3, 3>();
+  const float metres = static_cast<float>(length);
+  return {first, static_cast<double>(length), float_length(E.topRightCorner<3, 1>()) / metres,
+          float_angle(R) / metres, rotation_angle(R) / length};
 }
 
 }  // namespace
@@ -34,15 +58,13 @@ SegmentErrors kitti_segment_errors(const TrajectoryPair& matched) {
       std::size_t last = first;
       while (last < along.size() && along[last] <= along[first] + static_cast<float>(length)) ++last;
       if (last == along.size()) break;
-      const Pose E = motion_between(matched.estimate, first, last).inverse() *
-                     motion_between(matched.reference, first, last);
-      errors.segments.push_back(
-          {first, static_cast<double>(length), E.t.norm() / length, rotation_angle(E.R) / length});
+      errors.segments.push_back(segment_error(matched, first, last, length));
     }
+  const double n = static_cast<double>(errors.segments.size()), deg_per_100m = 100 * 180 / M_PI;
   for (const SegmentError& e : errors.segments) {
-    errors.translation_percent += 100 * e.translation / static_cast<double>(errors.segments.size());
-    errors.rotation_deg_per_100m +=
-        100 * e.rotation * 180 / M_PI / static_cast<double>(errors.segments.size());
+    errors.translation_percent += 100 * e.translation / n;
+    errors.rotation_deg_per_100m += deg_per_100m * e.rotation / n;
+    errors.exact_rotation_deg_per_100m += deg_per_100m * e.exact_rotation / n;
   }
   return errors;
 }
