@@ -107,6 +107,13 @@ EvaluationOptions tum_options(const Command& command) {
   return options;
 }
 
+// Many records are made of the same few files.
+const Trajectory& read_once(const fs::path& path) {
+  static std::map<fs::path, Trajectory> files;
+  if (!files.contains(path)) files[path] = read_trajectory(path).trajectory;
+  return files.at(path);
+}
+
 double field(const Statistics& s, const std::string& name) {
   const std::map<std::string, double> fields = {{"rmse", s.rmse}, {"mean", s.mean}, {"median", s.median},
                                                 {"std", s.std},   {"min", s.min},   {"max", s.max},
@@ -125,8 +132,8 @@ void expect_evo(const fs::path& folder, const Json& record) {
   SCOPED_TRACE(line);
   const Command command = parse(line);
   const EvaluationOptions options = evo_options(command);
-  const Evaluation e = evaluate(read_trajectory(folder / command.files.at(1)).trajectory,
-                                read_trajectory(folder / command.files.at(2)).trajectory, options);
+  const Evaluation e =
+      evaluate(read_once(folder / command.files.at(1)), read_once(folder / command.files.at(2)), options);
   const auto [relation, unit] = relations.at(command.text("-r", "trans_part"));
   auto errors = line.starts_with("evo_ape")
                     ? absolute_errors(e.poses, relation)
@@ -157,9 +164,8 @@ void expect_tum(const fs::path& folder, const Json& record) {
   const std::string line = record.at("command");
   SCOPED_TRACE(line);
   const Command command = parse(line);
-  const Evaluation e =
-      evaluate(read_trajectory(folder / command.files.at(0)).trajectory,
-               read_trajectory(folder / command.files.at(1)).trajectory, tum_options(command));
+  const Evaluation e = evaluate(read_once(folder / command.files.at(0)),
+                                read_once(folder / command.files.at(1)), tum_options(command));
   ASSERT_TRUE(e.rpe);
   for (const auto& [name, value] : record.at("output").items()) {
     const std::string what = name.substr(0, name.find('.')), figure = name.substr(name.find('.') + 1);
@@ -182,8 +188,7 @@ void expect_nine_digits(double ours, const Json& theirs, const std::string& what
 }
 
 void expect_kitti(const fs::path& folder, const Json& record) {
-  const TrajectoryPair pair = {read_trajectory(folder / "kitti_gt.txt").trajectory,
-                               read_trajectory(folder / "kitti_est.txt").trajectory};
+  const TrajectoryPair pair = {read_once(folder / "kitti_gt.txt"), read_once(folder / "kitti_est.txt")};
   const SegmentErrors e = kitti_segment_errors(pair);
   EXPECT_EQ(e.segments.size(), record.at("segments").get<std::size_t>());
   expect_nine_digits(e.translation_percent, record.at("t_err_percent"), "translation");

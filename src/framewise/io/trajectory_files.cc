@@ -146,8 +146,11 @@ void expect_seconds(const std::string& path, const Trajectory& trajectory, std::
   if (*unit != '\0')
     throw InputError(path, line, "timestamp",
                      shortest(trajectory.times.front()) + ", which looks like " + unit, "seconds");
-  const double n = static_cast<double>(trajectory.size()) - 1;
-  const double step = n > 0 ? (trajectory.times.back() - trajectory.times.front()) / n : 0;
+  std::vector<double> steps = {0};
+  for (std::size_t i = 1; i < trajectory.size(); ++i)
+    steps.push_back(trajectory.times[i] - trajectory.times[i - 1]);
+  std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
+  const double step = steps[steps.size() / 2];
   if (step >= 1e4)
     throw InputError(path, 0, "timestamp",
                      "poses " + shortest(step) + " apart, which looks like " +
@@ -169,7 +172,8 @@ void append(const std::string& path, std::size_t line, const TimedPose& timed, T
 
 std::vector<double> read_times(const std::filesystem::path& path) {
   std::vector<double> times;
-  for (const Row& row : rows_of(read_text(path))) {
+  const std::string text = read_text(path);  // the rows point into it
+  for (const Row& row : rows_of(text)) {
     expect_columns(path.string(), row, row.fields.size() == 1, "1 (a stamp in seconds)");
     times.push_back(number(path.string(), row, 0, "timestamp"));
   }
