@@ -8,7 +8,9 @@
 #include <stdexcept>
 
 #include "framewise/solvers/decompose_essential.h"
+#include "framewise/solvers/hypotheses.h"
 #include "framewise/solvers/problems_for_tests.h"
+#include "framewise/solvers/solver_laws_for_tests.h"
 
 namespace framewise {
 namespace {
@@ -122,5 +124,30 @@ TEST(Essential8pt, DegeneratePointsGiveSomeEssentialMatrixAndNoNaN) {
   }
 }
 
+// The minimal case, with the motion chosen by cheirality.
+struct Essential8ptMinimal {
+  static constexpr std::size_t kPoints = 8;
+  // A plane leaves a 3-dimensional space of matrices with x2' E x1 = 0, motion without translation likewise:
+  // the linear problem has no single answer there.
+  static testing::Accuracy accuracy(Scene scene) {
+    if (scene == Scene::kPlanar || scene == Scene::kPureRotation)
+      return {testing::kNotHere, testing::kNotHere};
+    if (scene == Scene::kTinyBaseline) return {1e-5, 0.1};
+    return {1e-7, 1e-5};
+  }
+  static Hypotheses<Pose, 1> solve(const testing::TwoViewProblem& problem) {
+    Hypotheses<Pose, 1> poses;
+    if (const auto E = essential_8pt(problem.x1, problem.x2)) {
+      if (const auto vote = choose_by_cheirality(*E, problem.x1, problem.x2))
+        poses.push_back(vote->cam2_from_cam1);
+    }
+    return poses;
+  }
+};
+
 }  // namespace
+
+namespace testing {
+INSTANTIATE_TYPED_TEST_SUITE_P(Essential8pt, SolverLaws, Essential8ptMinimal);
+}  // namespace testing
 }  // namespace framewise

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Robust estimation against peers, in the settings of a frame-to-frame camera: 640x480, focal length 525.
+//   build/release/bench/bench_robust [problems per row, default 200] [only methods whose name has this]
+// AUC: area under the recall curve at 5 deg of max(rotation, translation-direction error), per cent.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include "framewise/robust/registration.h"
+#include "framewise/robust/relative_pose.h"
+#include "robust_peers.h"
+
+namespace framewise::bench {
+namespace {
+
+struct Row {
+  const char* name;
+  testing::Scene scene;
+  std::size_t size;
+  double inlier_share;
+};
+
+std::vector<RobustProblem> make_problems(const Row& row, std::size_t count) {
+  testing::Random random(row.size + static_cast<std::size_t>(1000 * row.inlier_share));
+  std::vector<RobustProblem> problems;
+  for (std::size_t i = 0; i < count; ++i) {
+    problems.push_back(make_robust_problem(row.scene, row.size, row.inlier_share, random));
+  }
+  return problems;
+}
+
+struct Measured {
+  std::vector<std::optional<Pose>> poses;
+  std::vector<double> ms;
+};
+
+// Methods take turns on each problem, so that whatever else the machine does meets all of them alike.
+std::vector<Measured> measure(const std::vector<Method>& methods,
+                              const std::vector<RobustProblem>& problems) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<Measured> result(methods.size());
+  for (const RobustProblem& p : problems) {
+    for (std::size_t k = 0; k < methods.size(); ++k) {
+      const auto begin = Clock::now();
+      result[k].poses.push_back(methods[k].solve(p));
+      result[k].ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+    }
+  }
+  return result;
+}
+
+std::vector<Method> chosen(std::vector<Method> methods, const std::string& part) {
+  std::erase_if(methods, [&](const Method& m) { return m.name.find(part) == std::string::npos; });
+  return methods;
+}
+
+Method framewise_relative(const std::string& name, RelativePoseSolver solver) {
+  return {name, [solver](const RobustProblem& p) -> std::optional<Pose> {
+            RelativePoseOptions options;
+            options.solver = solver;
+            options.max_error = 2.0 / kFocal;
+            const auto estimate = estimate_relative_pose(p.x1, p.x2, options);
+            if (!estimate) return std::nullopt;
+            return estimate->cam2_from_cam1;
+          }};
+}
+
+void two_view_rows(std::size_t count, const std::string& part) {
+  const Row rows[] = {{"500, 50 %, wide", testing::Scene::kRandom, 500, 0.5},
+                      {"500, 25 %, wide", testing::Scene::kRandom, 500, 0.25},
+                      {"200, 90 %, odometry", testing::Scene::kOdometry, 200, 0.9},
+                      {"500, 50 %, odometry", testing::Scene::kOdometry, 500, 0.5},
+                      {"2000, 25 %, odometry", testing::Scene::kOdometry, 2000, 0.25}};
+  std::vector<Method> methods = {framewise_relative("framewise 8-point", RelativePoseSolver::kEightPoint)};
+#ifdef FRAMEWISE_BENCH_POSELIB
+  methods.push_back(poselib_relative(false));
+  methods.push_back(poselib_relative(true));
+#endif
+#ifdef FRAMEWISE_BENCH_OPENCV
+  methods.push_back(opencv_essential("OpenCV USAC_MAGSAC", cv::USAC_MAGSAC));
+  methods.push_back(opencv_essential("OpenCV USAC_ACCURATE", cv::USAC_ACCURATE));
+  methods.push_back(opencv_essential("OpenCV USAC_DEFAULT", cv::USAC_DEFAULT));
+#endif
+  methods = chosen(methods, part);
+  for (const Row& row : rows) {
+    const auto problems = make_problems(row, count);
+    const auto measured = measure(methods, problems);
+    std::printf("%s\n", row.name);
+    for (std::size_t k = 0; k < methods.size(); ++k) {
+      std::vector<double> errors;
+      for (std::size_t i = 0; i < problems.size(); ++i) {
+        errors.push_back(two_view_error_deg(measured[k].poses[i], problems[i].cam2_from_cam1));
+      }
+      std::printf("  %-34s AUC %5.1f  median %6.3f deg  %8.3f ms\n", methods[k].name.c_str(),
+                  area_under_curve(errors, 5), quantile(errors, 0.5), quantile(measured[k].ms, 0.5));
+    }
+    std::fflush(stdout);
+  }
+}
+
+Method framewise_registration() {
+  return {"framewise registration 5 cm", [](const RobustProblem& p) -> std::optional<Pose> {
+            const auto estimate = estimate_registration(p.X1, p.X2);
+            if (!estimate) return std::nullopt;
+            return estimate->cam2_from_cam1;
+          }};
+}
+
+void depth_rows(std::size_t count, const std::string& part) {
+  const Row rows[] = {{"depth, 200, 90 %", testing::Scene::kOdometry, 200, 0.9},
+                      {"depth, 200, 25 %", testing::Scene::kOdometry, 200, 0.25}};
+  std::vector<Method> methods = {framewise_registration()};
+#ifdef FRAMEWISE_BENCH_POSELIB
+  methods.push_back(poselib_absolute(false));
+  methods.push_back(poselib_absolute(true));
+#endif
+#ifdef FRAMEWISE_BENCH_OPENCV
+  methods.push_back(opencv_pnp());
+#endif
+  methods = chosen(methods, part);
+  for (const Row& row : rows) {
+    const auto problems = make_problems(row, count);
+    const auto measured = measure(methods, problems);
+    std::printf("%s\n", row.name);
+    for (std::size_t k = 0; k < methods.size(); ++k) {
+      std::vector<double> errors;
+      for (std::size_t i = 0; i < problems.size(); ++i) {
+        const auto& pose = measured[k].poses[i];
+        if (pose) errors.push_back(100 * (pose->t - problems[i].cam2_from_cam1.t).norm());
+      }
+      std::printf("  %-34s median %7.3f cm  90 %% below %7.3f cm  answers %zu of %zu  %8.3f ms\n",
+                  methods[k].name.c_str(), quantile(errors, 0.5), quantile(errors, 0.9), errors.size(),
+                  problems.size(), quantile(measured[k].ms, 0.5));
+    }
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace framewise::bench
+
+int main(int argc, char** argv) {
+  const std::size_t count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 200;
+  const std::string part = argc > 2 ? argv[2] : "";
+  framewise::bench::depth_rows(count, part);
+  framewise::bench::two_view_rows(count, part);
+}
