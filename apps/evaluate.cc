@@ -60,7 +60,7 @@ int run(EvaluateCommand& command) {
   if (command.json)
     fmt::print("{}\n", to_json(evaluation).dump(2));
   else
-    fmt::print("{}", evaluation_text(evaluation));
+    fmt::print("{}", to_text(evaluation));
   return 0;
 }
 

@@ -80,6 +80,10 @@ Json options_json(const RunCommand& command) {
           {"descriptor", o.features.descriptor},
           {"features", o.features.count},
           {"matcher", o.matcher},
+          {"refine", o.refine},
+          {"keypoint-sigma-px", o.keypoint_sigma_px},
+          {"depth-noise-floor", o.depth_noise.floor},
+          {"depth-noise-growth", o.depth_noise.growth},
           {"max-error-m", o.max_error_m},
           {"max-error-px", o.max_error_px},
           {"min-inliers", o.min_inliers},
@@ -162,7 +166,7 @@ void print_summary(const RunCommand& command, const Json& run, const std::option
   fmt::print("{}: {} frames at {:.1f} a second: {}\n", run["dataset"]["name"].get<std::string>(),
              run["frames"].get<int>(), run["frames_per_second"].get<double>(), statuses);
   if (evaluation)
-    fmt::print("{}", evaluation_text(*evaluation));
+    fmt::print("{}", to_text(*evaluation));
   else
     fmt::print("No truth beside the recording: nothing to evaluate against.\n");
   fmt::print("Written: {}\n", (command.out / "{trajectory.tum,frames.csv,run.json}").string());
@@ -225,6 +229,16 @@ void add_method_options(CLI::App& app, OdometryOptions& o) {
   app.add_option("--descriptor", o.features.descriptor, "orb")->capture_default_str();
   app.add_option("--features", o.features.count, "features asked for in a frame")->capture_default_str();
   app.add_option("--matcher", o.matcher, "brute-force (exact, cross-checked)")->capture_default_str();
+  app.add_option("--refine", o.refine,
+                 "kabsch inliers once more, weighed by their noise: covariance, or none")
+      ->capture_default_str();
+  app.add_option("--keypoint-sigma-px", o.keypoint_sigma_px,
+                 "noise of a feature's position at its finest scale")
+      ->capture_default_str();
+  app.add_option("--depth-noise-floor", o.depth_noise.floor, "sigma_z = floor + growth (z - 0.4 m)^2 (m)")
+      ->capture_default_str();
+  app.add_option("--depth-noise-growth", o.depth_noise.growth, "sigma_z = floor + growth (z - 0.4 m)^2 (1/m)")
+      ->capture_default_str();
   app.add_option("--max-error-m", o.max_error_m, "largest point-to-point error of an inlier (m)")
       ->capture_default_str();
   app.add_option("--max-error-px", o.max_error_px, "largest epipolar error of an inlier (pixels)")

@@ -12,6 +12,10 @@ namespace framewise {
 struct Features {
   std::vector<cv::KeyPoint> keypoints;
   cv::Mat descriptors;  // one row a keypoint; binary (CV_8U) or float (CV_32F)
+
+  // How much coarser than the image's own pixels a feature was found: its position is as much less certain.
+  double scale(int index) const { return keypoints[index].size / finest_size; }
+  float finest_size = 31;  // keypoint.size at the finest scale (pixels)
 };
 
 struct FeatureOptions {

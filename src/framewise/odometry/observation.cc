@@ -23,6 +23,7 @@ Observation observe(const Frame& frame, const Camera& camera, const FeatureOptio
   observation.time = frame.time;
   observation.has_depth = !frame.depth.empty();
   Features& kept = observation.features;
+  kept.finest_size = found.finest_size;
   for (int i = 0; i < static_cast<int>(found.keypoints.size()); ++i) {
     const cv::KeyPoint& keypoint = found.keypoints[i];
     const Eigen::Vector2d pixel(keypoint.pt.x, keypoint.pt.y);

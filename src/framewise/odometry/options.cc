@@ -35,6 +35,9 @@ void OdometryOptions::check() const {
     require_one_of("scale (with solver kabsch, which is metric)", scale, {"depth"});
   else
     require_one_of("scale", scale, {"depth", "truth", "none"});
+  require_one_of("refine", refine, {"covariance", "none"});
+  require(keypoint_sigma_px > 0, "keypoint-sigma-px", keypoint_sigma_px, "more than 0");
+  depth_noise.check();
   require_one_of("matcher", matcher, {"brute-force"});
   require(max_error_m > 0, "max-error-m", max_error_m, "more than 0");
   require(max_error_px > 0, "max-error-px", max_error_px, "more than 0");

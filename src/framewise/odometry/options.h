@@ -6,6 +6,7 @@
 #include <string>
 
 #include "framewise/features/features.h"
+#include "framewise/geometry/depth_noise.h"
 #include "framewise/image/depth.h"
 #include "framewise/robust/ransac_options.h"
 
@@ -20,6 +21,11 @@ struct OdometryOptions {
   std::string matcher = "brute-force";  // exact, with cross-check
   DepthLookupOptions depth;
   RansacOptions ransac;
+  std::string refine =
+      "covariance";  // kabsch: after RANSAC the inliers again, each weighed by its noise; or none
+  double keypoint_sigma_px =
+      0.7;                    // noise of a feature of the finest scale; coarser ones in proportion (pixels)
+  DepthNoise depth_noise;     // of the depth camera
   double max_error_m = 0.05;  // kabsch: two points farther apart than this disagree (m)
   double max_error_px = 1.5;  // eight-point: likewise for the distance to the epipolar line (pixels)
   int min_inliers = 12;       // fewer agree by chance; the frame is lost

@@ -2,38 +2,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/odometry/step.h"
 
-#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "framewise/features/matching.h"
 #include "framewise/odometry/scale.h"
 #include "framewise/robust/registration.h"
 #include "framewise/robust/relative_pose.h"
+#include "framewise/solvers/refine_registration.h"
 
 namespace framewise {
 namespace {
 
-// What two observations share: bearings of every match, points where both depths are known.
+// What two observations share: the features of every match, in the same order.
 struct SharedSight {
   std::vector<Bearing> x1, x2;
-  std::vector<Eigen::Vector3d> X1, X2;  // of the same matches; NaN where depth is unknown
-  std::vector<Eigen::Vector3d> known1, known2;
+  std::vector<Eigen::Vector3d> X1, X2;  // NaN where depth is unknown
 };
 
 SharedSight share(const Observation& frame1, const Observation& frame2,
                   const std::vector<FeatureMatch>& matches) {
   SharedSight sight;
   for (const FeatureMatch& match : matches) {
-    const Eigen::Vector3d &X1 = frame1.points[match.index1], &X2 = frame2.points[match.index2];
     sight.x1.push_back(frame1.bearings[match.index1]);
     sight.x2.push_back(frame2.bearings[match.index2]);
-    sight.X1.push_back(X1);
-    sight.X2.push_back(X2);
-    if (!X1.allFinite() || !X2.allFinite()) continue;
-    sight.known1.push_back(X1);
-    sight.known2.push_back(X2);
+    sight.X1.push_back(frame1.points[match.index1]);
+    sight.X2.push_back(frame2.points[match.index2]);
   }
   return sight;
+}
+
+// The matches whose points are known in both frames, with their covariances (m^2).
+struct SharedPoints {
+  std::vector<Eigen::Vector3d> X1, X2;
+  std::vector<Eigen::Matrix3d> S1, S2;
+
+  SharedPoints only(const std::vector<std::uint8_t>& inliers) const {
+    SharedPoints kept;
+    for (std::size_t i = 0; i < X1.size(); ++i)
+      if (inliers[i]) kept.add(X1[i], S1[i], X2[i], S2[i]);
+    return kept;
+  }
+  void add(const Eigen::Vector3d& x1, const Eigen::Matrix3d& s1, const Eigen::Vector3d& x2,
+           const Eigen::Matrix3d& s2) {
+    X1.push_back(x1), S1.push_back(s1), X2.push_back(x2), S2.push_back(s2);
+  }
+};
+
+SharedPoints share_points(const Observation& frame1, const Observation& frame2,
+                          const std::vector<FeatureMatch>& matches, const Camera& camera,
+                          const OdometryOptions& options) {
+  const auto covariance = [&](const Observation& frame, int index) {
+    const double sigma = options.keypoint_sigma_px * frame.features.scale(index) / std::abs(camera.fx);
+    const double z = frame.points[index].z();
+    return point_covariance(frame.bearings[index], z, sigma, options.depth_noise.sigma(z));
+  };
+  SharedPoints points;
+  for (const FeatureMatch& m : matches)
+    if (frame1.points[m.index1].allFinite() && frame2.points[m.index2].allFinite())
+      points.add(frame1.points[m.index1], covariance(frame1, m.index1), frame2.points[m.index2],
+                 covariance(frame2, m.index2));
+  return points;
 }
 
 Step with_estimate(Step step, const std::optional<Estimate>& estimate, int min_inliers) {
@@ -55,9 +84,9 @@ Step with_estimate(Step step, const std::optional<Estimate>& estimate, int min_i
   return step;
 }
 
-Step register_points(Step step, const SharedSight& sight, const OdometryOptions& options,
+Step register_points(Step step, const SharedPoints& points, const OdometryOptions& options,
                      std::uint64_t seed) {
-  if (static_cast<int>(sight.known1.size()) < options.min_inliers) {
+  if (static_cast<int>(points.X1.size()) < options.min_inliers) {
     if (step.matches >= options.min_inliers) step.status = Status::kNoDepth;
     return step;
   }
@@ -65,8 +94,17 @@ Step register_points(Step step, const SharedSight& sight, const OdometryOptions&
   registration.ransac = options.ransac;
   registration.ransac.seed = seed;
   registration.max_error = options.max_error_m;
-  return with_estimate(step, estimate_registration(sight.known1, sight.known2, registration),
-                       options.min_inliers);
+  const auto estimate = estimate_registration(points.X1, points.X2, registration);
+  step = with_estimate(step, estimate, options.min_inliers);
+  if (!is_measured(step.status) || options.refine == "none") return step;
+
+  const SharedPoints inliers = points.only(estimate->inliers);
+  RefineOptions refine;
+  refine.loss = {Loss::kCauchy, 2.0};
+  const auto refined =
+      refine_registration(step.cam2_from_cam1, inliers.X1, inliers.S1, inliers.X2, inliers.S2, refine);
+  step.cam2_from_cam1 = refined.pose;
+  return step;
 }
 
 Step relate_bearings(Step step, const SharedSight& sight, const Camera& camera,
@@ -103,9 +141,9 @@ Step estimate_step(const Observation& frame1, const Observation& frame2, const C
   }
   const auto matches = match_brute_force(frame1.features.descriptors, frame2.features.descriptors);
   step.matches = static_cast<int>(matches.size());
-  const SharedSight sight = share(frame1, frame2, matches);
-  return options.solver == "kabsch" ? register_points(step, sight, options, seed)
-                                    : relate_bearings(step, sight, camera, options, seed, true_length);
+  if (options.solver == "kabsch")
+    return register_points(step, share_points(frame1, frame2, matches, camera, options), options, seed);
+  return relate_bearings(step, share(frame1, frame2, matches), camera, options, seed, true_length);
 }
 
 }  // namespace framewise

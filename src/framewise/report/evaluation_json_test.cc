@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Framewise authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "framewise/io/evaluation_json.h"
+#include "framewise/report/evaluation_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

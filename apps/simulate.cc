@@ -1,0 +1,4 @@
+#include "commands.h"
+namespace framewise::apps {
+void add_simulate(CLI::App&, Action&) {}
+}  // namespace framewise::apps
