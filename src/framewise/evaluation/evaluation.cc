@@ -29,8 +29,8 @@ void check_trajectory(const Trajectory& trajectory, const std::string& name) {
       refuse(i, "holds a number that is not finite");
     if (i > 0 && trajectory.times[i] <= trajectory.times[i - 1])
       refuse(i, "is not later than the one before, expected times that increase");
-    // Rotations of files have six digits or more.
-    if (!((pose.R * pose.R.transpose()).isIdentity(1e-4) && pose.R.determinant() > 0))
+    // Matrices of files are rotations to their printed digits, the same limit as their reader has.
+    if (!((pose.R * pose.R.transpose()).isIdentity(1e-3) && pose.R.determinant() > 0))
       refuse(i, "has no rotation: R R' is not the identity or det R is not 1");
   }
 }

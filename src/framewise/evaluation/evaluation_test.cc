@@ -178,6 +178,13 @@ TEST(Evaluation, PairsAreThoseOfTheirDefinition) {
               ElementsAre(Pair(0, 9), Pair(0, 10), Pair(1, 10)));
 }
 
+TEST(Evaluation, ConsecutiveMetresBeginWhereToldTo) {
+  EvaluationOptions options = over(3, DeltaUnit::metres);
+  EXPECT_EQ(evaluate(straight(11), straight(11), options).motions[0].from_time, 3);
+  options.relative.from_first_pose = true;
+  EXPECT_EQ(evaluate(straight(11), straight(11), options).motions[0].from_time, 0);
+}
+
 TEST(Evaluation, SecondsAreTheTumToolsUnlessAskedOtherwise) {
   const Evaluation seconds = evaluate(walk(), walk(), over(1, DeltaUnit::seconds));
   EXPECT_EQ(seconds.options.relative.pairs, PairChoice::tum);

@@ -39,18 +39,19 @@ std::vector<double> progress(const Trajectory& trajectory, DeltaUnit unit) {
 }
 
 // Pairs (0, d), (d, 2d), ...: a mark is set at the first pose that is delta past the last one.
-IndexPairs consecutive_pairs(const std::vector<double>& along, double delta, DeltaUnit unit) {
+IndexPairs consecutive_pairs(const std::vector<double>& along, const RelativeErrorOptions& options,
+                             double delta) {
+  // Stamps at a steady rate meet delta but for their last digits.
+  const double slack = options.unit == DeltaUnit::seconds ? 1e-6 : 0;
+  bool marked = options.unit != DeltaUnit::metres || options.from_first_pose;
   IndexPairs pairs;
   std::size_t mark = 0;
-  bool first = unit == DeltaUnit::metres;  // evo: the first metre only leads to the first mark
-  // Stamps at a steady rate meet delta but for their last digits.
-  const double slack = unit == DeltaUnit::seconds ? 1e-6 : 0;
   double since = 0;
   for (std::size_t i = 1; i < along.size(); ++i) {
     since += along[i] - along[i - 1];
     if (since < delta * (1 - slack)) continue;
-    if (!first) pairs.emplace_back(mark, i);
-    first = false;
+    if (marked) pairs.emplace_back(mark, i);
+    marked = true;
     mark = i;
     since = 0;
   }
@@ -86,7 +87,7 @@ IndexPairs pairs_of(const Trajectory& trajectory, const RelativeErrorOptions& op
   const double max_difference = options.tolerance * delta;
   const bool angle = options.unit == DeltaUnit::degrees || options.unit == DeltaUnit::radians;
   if (options.resolved_pairs() == PairChoice::consecutive)
-    return consecutive_pairs(progress(trajectory, options.unit), delta, options.unit);
+    return consecutive_pairs(progress(trajectory, options.unit), options, delta);
   if (angle) return rotation_pairs(trajectory, delta, max_difference);
   return nearest_pairs(progress(trajectory, options.unit), delta,
                        options.unit == DeltaUnit::frames ? 0.5 : max_difference);

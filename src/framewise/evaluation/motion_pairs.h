@@ -15,7 +15,8 @@ enum class DeltaUnit { frames, seconds, metres, degrees, radians };
 // Which pairs of poses a relative error is taken over. Frames are matched poses, metres are travelled (the
 // sum of the steps), degrees and radians are turned.
 //   consecutive: pairs that do not overlap, each beginning where the last ended, as soon as delta is reached.
-//     evo's default. Of metres the first pair begins where the first delta is reached, not at the first pose.
+//     evo's default. Of metres the first pair begins where the first delta is reached, not at the first pose,
+//     unless from_first_pose.
 //   all: from every pose. Metres: to the pose nearest to delta away, if within the tolerance. Seconds: the
 //     same. Angles: to every pose whose own rotation is delta within the tolerance. evo's --all_pairs.
 //   tum: from every pose of the estimate, matched or not, to its pose nearest to delta away; each meets the
@@ -33,6 +34,9 @@ struct RelativeErrorOptions {
   std::optional<RelativeErrorOrder> order;
   double tolerance = 0.1;             // of delta; what `all` accepts in metres, seconds and angles. evo's
   bool pairs_from_reference = false;  // choose pairs on the reference instead of the estimate (not for tum)
+
+  // Consecutive pairs of metres begin at the first pose: false as evo 1.36 has it, true as evo 1.38.
+  bool from_first_pose = false;
 
   PairChoice resolved_pairs() const;
   RelativeErrorOrder resolved_order() const;

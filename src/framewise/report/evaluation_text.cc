@@ -10,7 +10,7 @@
 namespace framewise {
 namespace {
 
-constexpr int label_width = 22, figure_width = 11;
+constexpr int label_width = 20, figure_width = 13;  // six digits, a point, an exponent and a gap
 
 // Digits that a reader compares: six significant ones.
 std::string figure(double value) {
