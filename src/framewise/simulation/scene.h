@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "framewise/simulation/color.h"
+#include "framewise/simulation/textures.h"
+
+namespace framewise {
+
+// A corner of a triangle. World axes, z up, metres.
+struct Vertex {
+  Eigen::Vector3f position;
+  Eigen::Vector3f normal;   // of the surface, unit, on the side that is seen
+  Eigen::Vector2f uv;       // along the surface (m)
+  Color light = {0, 0, 0};  // irradiance / pi: a white surface shows this radiance
+};
+
+// A rectangle that shines to the side of edge_u x edge_v.
+struct AreaLight {
+  Eigen::Vector3f corner, edge_u, edge_v;
+  Color radiance;
+};
+
+// What there is to see, apart from who looks and from where.
+struct Scene {
+  std::vector<Vertex> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> material_of_triangle;
+  std::vector<Material> materials;
+  std::vector<AreaLight> lights;
+};
+
+}  // namespace framewise
