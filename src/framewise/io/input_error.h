@@ -14,10 +14,7 @@ namespace framewise {
 class InputError : public std::runtime_error {
  public:
   InputError(const std::filesystem::path& path, std::size_t line, const std::string& field,
-             const std::string& found, const std::string& expected)
-      : std::runtime_error(path.string() + (line > 0 ? ":" + std::to_string(line) : "") + ": " +
-                           (field.empty() ? "" : field + ": ") + "found " + found + ", expected " +
-                           expected) {}
+             const std::string& found, const std::string& expected);
 };
 
 }  // namespace framewise

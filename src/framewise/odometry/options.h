@@ -26,7 +26,7 @@ struct OdometryOptions {
   double keypoint_sigma_px =
       0.7;                    // noise of a feature of the finest scale; coarser ones in proportion (pixels)
   DepthNoise depth_noise;     // of the depth camera
-  double max_error_m = 0.05;  // kabsch: two points farther apart than this disagree (m)
+  double max_error_m = 0.08;  // kabsch: two points farther apart than this disagree (m)
   double max_error_px = 1.5;  // eight-point: likewise for the distance to the epipolar line (pixels)
   int min_inliers = 12;       // fewer agree by chance; the frame is lost
   double max_bridge = 1.0;    // how long the last good frame is kept as reference after a loss (s)

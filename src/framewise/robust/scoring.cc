@@ -22,7 +22,8 @@ inline float inverse_square(double T) { return static_cast<float>(1 / (T * T)); 
 // When to stop looking at the rest of the rows: see Judge.
 class GiveUp {
  public:
-  explicit GiveUp(const Judge& judge) : cost_bound_(judge.cost_bound), log_hopeless_(std::log(judge.hopeless_odds)) {
+  explicit GiveUp(const Judge& judge)
+      : cost_bound_(judge.cost_bound), log_hopeless_(std::log(judge.hopeless_odds)) {
     if (judge.good_share <= judge.bad_share) return;
     log_inlier_ = std::log(judge.bad_share / judge.good_share);
     log_outlier_ = std::log((1 - judge.bad_share) / (1 - judge.good_share));

@@ -75,9 +75,9 @@ Tally score_projection_plane(const Columns& columns, const double* R, const doub
 // Sine of the angle between R X1 + t and the bearing x2: columns X1 (3) and x2 (3).
 Tally score_projection_sphere(const Columns& columns, const double* R, const double* t, const Judge& judge);
 
-// Gauss-Newton equations of Sampson's distance under Tukey's loss 1 - (1 - q)^3, q = r^2 / T^2: the lower triangle of
-// sum w J'J row by row (15), sum w J'r (5), and the loss (1). dE holds the derivatives of E with respect to five
-// parameters, each 3x3 row-major. Columns as for the scores above.
+// Gauss-Newton equations of Sampson's distance under Tukey's loss 1 - (1 - q)^3, q = r^2 / T^2: the lower
+// triangle of sum w J'J row by row (15), sum w J'r (5), and the loss (1). dE holds the derivatives of E with
+// respect to five parameters, each 3x3 row-major. Columns as for the scores above.
 //   Beaton and Tukey, The fitting of power series, Technometrics 1974.
 struct SampsonNormalEquations {
   double values[21];
