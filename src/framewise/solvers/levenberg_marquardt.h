@@ -74,7 +74,8 @@ Eigen::Matrix<double, kDof, kDof> inverse_information(const Eigen::Matrix<double
   // Each entry is the share of a coordinate's information that the others do not explain.
   if (llt.info() != Eigen::Success || !(llt.matrixLLT().diagonal().minCoeff() > 1e-7))
     return Matrix::Constant(std::numeric_limits<double>::quiet_NaN());
-  return scale.asDiagonal() * llt.solve(Matrix::Identity()) * scale.asDiagonal();
+  const Matrix inverse = scale.asDiagonal() * llt.solve(Matrix::Identity()) * scale.asDiagonal();
+  return 0.5 * (inverse + inverse.transpose());
 }
 
 template <typename Motion>
@@ -82,7 +83,8 @@ Matrix6d pose_covariance(const NormalEquations<Motion>& normal, const Pose& pose
   typename Motion::Basis basis = Motion::Basis::Zero();
   basis.template topLeftCorner<3, 3>().setIdentity();
   basis.template bottomRightCorner<3, Motion::kDof - 3>() = Motion::translations(pose);
-  return basis * inverse_information<Motion::kDof>(normal.H) * basis.transpose();
+  const Matrix6d covariance = basis * inverse_information<Motion::kDof>(normal.H) * basis.transpose();
+  return 0.5 * (covariance + covariance.transpose());
 }
 
 // sums_at(pose): NormalSums at a pose.

@@ -17,8 +17,9 @@ struct RefineOptions {
   ImageSurface surface = ImageSurface::kPlane;
   RobustLoss loss;
   int max_iterations = 25;
-  // Done when a step promises to lower the cost by less than this (the cost is in squared sigmas).
-  double tolerance = 1e-8;
+  // Done when a step promises to lower the cost by less than this (the cost is in squared sigmas): the
+  // default moves the pose by a thousandth of its standard deviation. That last step is still taken.
+  double tolerance = 1e-6;
 
   // Throws std::invalid_argument naming the field that makes no sense.
   void check() const;
