@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/simulation/ray_tracer.h"
 
+#include <tbb/task_arena.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -59,8 +61,7 @@ struct RayTracer::Accelerator {
 };
 
 RayTracer::RayTracer(const Scene& scene) : scene_(scene), accelerator_(std::make_unique<Accelerator>()) {
-  // Built on one thread: where two triangles share an edge, which of them a ray meets depends on the tree.
-  accelerator_->device = rtcNewDevice("threads=1");
+  accelerator_->device = rtcNewDevice(nullptr);
   if (!accelerator_->device)
     throw std::runtime_error("Embree gives no device (error " + std::to_string(rtcGetDeviceError(nullptr)) +
                              ")");
@@ -75,7 +76,9 @@ RayTracer::RayTracer(const Scene& scene) : scene_(scene), accelerator_(std::make
   rtcCommitGeometry(mesh);
   rtcAttachGeometry(accelerator_->scene, mesh);
   rtcReleaseGeometry(mesh);
-  rtcCommitScene(accelerator_->scene);
+  // Built on one thread: where two triangles share an edge, which of them a ray meets depends on the tree. A device
+  // of "threads=1" would do, but it holds all of TBB to one thread as long as it lives.
+  tbb::task_arena(1).execute([&] { rtcJoinCommitScene(accelerator_->scene); });
   if (const RTCError error = rtcGetDeviceError(accelerator_->device); error != RTC_ERROR_NONE)
     throw std::runtime_error("Embree cannot build the scene (error " + std::to_string(error) + ")");
 }
