@@ -33,6 +33,7 @@ void legs(MeshBuilder& builder, const Vector2f& half, float thickness, float hei
 
 void bookshelf(MeshBuilder& builder, Random& random, float width, float height, int boards) {
   const float depth = 0.32f, rise = (height - kBoard) / static_cast<float>(boards);
+  builder.set_cell_factor(2);
   const Material wood = oak(random);
   builder.box({-0.5f * width, -depth, 0}, {kBoard, depth, height}, wood);
   builder.box({0.5f * width - kBoard, -depth, 0}, {kBoard, depth, height}, wood);
@@ -45,6 +46,7 @@ void bookshelf(MeshBuilder& builder, Random& random, float width, float height, 
     row_of_things(builder, random, {-0.5f * width + kBoard, -0.03f, z}, width - 2 * kBoard,
                   rise - kBoard - 0.02f, depth - 0.06f);
   }
+  builder.set_cell_factor(1);
 }
 
 void sideboard(MeshBuilder& builder, Random& random, float width) {
@@ -129,8 +131,10 @@ void sofa(MeshBuilder& builder, Random& random, float width) {
 }
 
 void wall_board(MeshBuilder& builder, Random& random, float width) {
+  builder.set_cell_factor(2);
   builder.box({-0.5f * width, -0.2f, -0.03f}, {width, 0.19f, 0.03f}, oak(random));
   row_of_things(builder, random, {-0.5f * width, -0.02f, 0}, width, 0.3f, 0.15f);
+  builder.set_cell_factor(1);
 }
 
 void picture(MeshBuilder& builder, Random& random, float width, float height, const Material& painting) {
@@ -165,7 +169,7 @@ void window_with_curtains(MeshBuilder& builder, Random& random, float width, flo
   for (const float side : {-1.0f, 1.0f}) {
     const float from = side * (0.5f * width + 0.46f), to = side * (0.5f * width - 0.08f);
     const float x0 = std::min(from, to), x1 = std::max(from, to), top = height + 0.19f, bottom = -0.78f;
-    builder.sheet(72, 48, true, cloth, [&](float s, float t) {
+    builder.sheet(64, 24, true, cloth, [&](float s, float t) {
       const float z = bottom + t * (top - bottom),
                   fold = 0.028f * std::sin(38 * s + 3 * side) * (1.2f - 0.5f * t);
       return Vertex{{x0 + s * (x1 - x0) + 0.02f * std::sin(23 * s + 2 * t), -0.12f + fold, z},
@@ -178,8 +182,9 @@ void window_with_curtains(MeshBuilder& builder, Random& random, float width, flo
 
 void table(MeshBuilder& builder, Random& random, float length, float width) {
   const float height = 0.74f, top = 0.035f;
-  Material board = oak(random);
-  builder.box({-0.5f * length, -0.5f * width, height - top}, {length, width, top}, board);
+  builder.set_cell_factor(0.4f);  // shadows of small things fall here
+  builder.box({-0.5f * length, -0.5f * width, height - top}, {length, width, top}, oak(random));
+  builder.set_cell_factor(1);
   builder.box({-0.5f * length + 0.07f, -0.5f * width + 0.07f, height - top - 0.08f},
               {length - 0.14f, width - 0.14f, 0.08f}, walnut(random));
   legs(builder, {0.5f * length - 0.05f, 0.5f * width - 0.05f}, 0.07f, height - top, oak(random));

@@ -49,6 +49,7 @@ Color direct_light(const RayTracer& tracer, const Vector3f& point, const Vector3
     for (int first = 0; first < kLightGrid * kLightGrid; first += 8) {
       Rays8 rays;
       std::array<float, 8> strength;
+      bool any = false;
       for (int i = 0; i < 8; ++i) {
         const float s = (static_cast<float>((first + i) % kLightGrid) + 0.5f) / kLightGrid;
         const float t = (static_cast<float>((first + i) / kLightGrid) + 0.5f) / kLightGrid;
@@ -58,11 +59,13 @@ Color direct_light(const RayTracer& tracer, const Vector3f& point, const Vector3
             std::fmax(0.0f, way.dot(normal)) * std::fmax(0.0f, -way.dot(facing)) / distance2;
         strength[i] = cosines * area.norm() /
                       (static_cast<float>(M_PI) * kLightGrid * kLightGrid * std::fmax(distance2, 0.01f));
+        any |= strength[i] > 0;
         if (strength[i] > 0)
           rays.set(i, point, way, 1e-4f, 0.999f);
         else
           rays.switch_off(i);
       }
+      if (!any) continue;
       const std::uint8_t shadow = tracer.occluded(rays);
       for (int i = 0; i < 8; ++i)
         if (!(shadow >> i & 1)) total += light.radiance * strength[i];

@@ -17,7 +17,7 @@ void MeshBuilder::place(const Vector3f& origin, float turn) {
 }
 
 int MeshBuilder::cells_along(float length) const {
-  return std::max(1, static_cast<int>(std::ceil(length / cell_ - 1e-3f)));
+  return std::max(1, static_cast<int>(std::ceil(length / (cell_ * cell_factor_) - 1e-3f)));
 }
 
 std::uint32_t MeshBuilder::add_material(const Material& material) {
@@ -136,8 +136,8 @@ void MeshBuilder::sphere(const Vector3f& centre, float radius, const Material& m
 
 void MeshBuilder::cushion(const Vector3f& corner, const Vector3f& size, const Material& material) {
   const auto rounded = [](float c) { return std::copysign(std::pow(std::abs(c), 0.4f), c); };
-  const int around = std::max(40, cells_along(2 * (size.x() + size.y()))),
-            up = std::max(24, cells_along(2 * size.z()));
+  const int around = std::max(32, cells_along(2 * (size.x() + size.y()))),
+            up = std::max(16, cells_along(2 * size.z()));
   const float girth = 2 * (size.x() + size.y());
   sheet(around + 1, up + 1, false, material, [&](float s, float t) {
     const float a = 2 * static_cast<float>(M_PI) * s, b = static_cast<float>(M_PI) * (t - 0.5f);

@@ -14,6 +14,10 @@ class MeshBuilder {
   // cell: side of the cells that faces are cut into (m).
   MeshBuilder(Scene& scene, float cell) : scene_(scene), cell_(cell) {}
 
+  // What follows is cut into cells this much smaller (below 1) or larger than usual, for finer or coarser
+  // shadows.
+  void set_cell_factor(float factor) { cell_factor_ = factor; }
+
   // Shapes are placed by this: turned about z by an angle (rad), then moved.
   void place(const Eigen::Vector3f& origin, float turn = 0);
   float turn() const { return angle_; }
@@ -51,7 +55,7 @@ class MeshBuilder {
   void grid(std::vector<Vertex> corners, int nu, int nv, const Material& material);
 
   Scene& scene_;
-  float cell_;
+  float cell_, cell_factor_ = 1;
   float angle_ = 0;
   Eigen::Matrix3f turn_ = Eigen::Matrix3f::Identity();
   Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();

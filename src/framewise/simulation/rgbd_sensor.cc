@@ -19,7 +19,7 @@ using Eigen::Vector3f;
 
 constexpr int kTile = 32;
 // Neighbours that differ by more than this (of 255) are drawn with more rays.
-constexpr int kContrast = 14;
+constexpr int kContrast = 20;
 // A grid of four samples turned so that no two share a row or column (pixels from the centre).
 constexpr float kSamples[4][2] = {{-0.125f, -0.375f}, {0.375f, -0.125f}, {-0.375f, 0.125f}, {0.125f, 0.375f}};
 
@@ -69,7 +69,7 @@ struct View {
 Color shade(const View& view, const Hits8& hits, int i, const Vector3f& direction, float part_of_pixel) {
   const SurfacePoint at = view.tracer.surface_point(hits.triangle[i], hits.weight1[i], hits.weight2[i]);
   const float length = direction.norm();
-  const float slant = std::fmax(0.1f, std::abs(at.normal.dot(direction)) / length);
+  const float slant = std::max(0.1f, std::abs(at.normal.dot(direction)) / length);
   // Between the short and the long side of the pixel's foot on the surface.
   const float footprint = part_of_pixel * hits.t[i] * length * view.pixel_angle / std::sqrt(slant);
   const Color reflectance = albedo(*at.material, at.u, at.v, footprint);

@@ -21,8 +21,11 @@ constexpr float kAtNorth = 0, kAtWest = 0.5f * static_cast<float>(M_PI), kAtSout
 void shell(MeshBuilder& builder, Random& random) {
   builder.place({0, 0, 0});
   const Vector3f x(kLength, 0, 0), y(0, kWidth, 0), z(0, 0, kHeight);
+  builder.set_cell_factor(0.8f);
   builder.quad({0, 0, 0}, x, y, {Texture::planks, srgb(0x8a5a34), srgb(0xc4935c), random.seed()});
+  builder.set_cell_factor(2.5f);
   builder.quad(z + y, x, -y, {Texture::plaster, srgb(0xe8e2d4), srgb(0xd2cab8), random.seed()});
+  builder.set_cell_factor(1.5f);
   builder.quad(x, -x, z, {Texture::wallpaper, srgb(0xd8d2b8), srgb(0x7f9a78), random.seed()});
   builder.quad(y, x, z, {Texture::plaster, srgb(0xd9b98c), srgb(0xc79a66), random.seed()});
   builder.quad({0, 0, 0}, y, z, {Texture::brick, srgb(0x9a4a34), srgb(0xb9704c), random.seed()});
@@ -34,6 +37,7 @@ void shell(MeshBuilder& builder, Random& random) {
   builder.box({0, 0, 0}, {kLength, 0.015f, 0.09f}, skirting);
   builder.box({0, kWidth - 0.015f, 0}, {kLength, 0.015f, 0.09f}, skirting);
   builder.box({kLength - 0.015f, 0, 0}, {0.015f, kWidth, 0.09f}, skirting);
+  builder.set_cell_factor(1);
 }
 
 void middle_of_room(MeshBuilder& builder, Random& random) {
@@ -155,7 +159,7 @@ Scene room_scene(const RoomOptions& options) {
   west_wall(builder, random);
   east_wall(builder, random);
   scene.lights = lights();
-  bake_light(scene);
+  if (options.lit) bake_light(scene);
   return scene;
 }
 

@@ -11,6 +11,7 @@ namespace framewise {
 struct RoomOptions {
   std::uint64_t seed = 0;    // textures, colours, and what stands on the shelves
   float light_cell = 0.05f;  // distance between the points where light is kept (m); coarser builds faster
+  bool lit = true;           // false: the shape alone, for those who ask for no colour
 };
 
 // A furnished living room of 6.2 m x 5.2 m x 2.65 m, lit: table and chairs on a carpet under a lamp,

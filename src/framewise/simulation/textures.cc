@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/simulation/textures.h"
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include "framewise/simulation/noise.h"
@@ -131,8 +133,7 @@ Color planks(const Material& m, const Point& p) {
   const Cell c = cell_at(p.u + kLength * hash01(row, 7, m.seed), p.v, kLength, kWidth);
   const std::uint32_t board = hash(c.i, c.j, m.seed);
   const Point shifted{p.u + (board & 63u), p.v, p.footprint};
-  const float gap =
-      std::fmin((0.5f - std::abs(c.x - 0.5f)) * kLength, (0.5f - std::abs(c.y - 0.5f)) * kWidth);
+  const float gap = std::min((0.5f - std::abs(c.x - 0.5f)) * kLength, (0.5f - std::abs(c.y - 0.5f)) * kWidth);
   const float tint = hash01(c.i, c.j, m.seed + 1);
   const Color board_color = shade(mix(m.a, m.b, tint), 0.30f * grain(shifted, m.seed + (board & 1023u)));
   return board_color * (0.3f + 0.7f * edge(gap - 0.0012f, p.footprint));
@@ -146,7 +147,7 @@ Color wood(const Material& m, const Point& p) {
 
 Color motif(const Material& m, const Cell& c, float size, float footprint, std::uint32_t seed) {
   const float x = std::abs(c.x - 0.5f), y = std::abs(c.y - 0.5f);
-  const float distance = (hash(c.i, c.j, seed) & 1u ? x + y : 1.3f * std::fmax(x, y)) * size;
+  const float distance = (hash(c.i, c.j, seed) & 1u ? x + y : 1.3f * std::max(x, y)) * size;
   Color color = mix(m.a, m.b, 0.12f);
   for (int ring = 0; ring < 4; ++ring) {
     const float radius = size * (0.52f - 0.13f * ring);
@@ -157,7 +158,7 @@ Color motif(const Material& m, const Cell& c, float size, float footprint, std::
 }
 
 Color carpet(const Material& m, const Point& p) {
-  const float to_edge = std::fmin(std::fmin(p.u, m.width - p.u), std::fmin(p.v, m.height - p.v));
+  const float to_edge = std::min(std::min(p.u, m.width - p.u), std::min(p.v, m.height - p.v));
   const float size = to_edge < 0.30f ? 0.1f : 0.19f;
   Color color =
       motif(m, cell_at(p.u, p.v, size, size), size, p.footprint, m.seed + (to_edge < 0.30f ? 1 : 0));
@@ -201,7 +202,7 @@ Color spine(const Material& m, const Point& p) {
     color =
         mix(color, m.b, edge(0.0022f + 0.004f * hash01(3, 0, m.seed) - std::abs(p.v - at * h), p.footprint));
   const float from = (bands + 0.07f) * h, to = 0.68f * h;
-  const float letter = std::fmin(0.45f * m.width, 0.014f);
+  const float letter = std::min(0.45f * m.width, 0.014f);
   const Point along{p.v - from, p.u - 0.5f * (m.width - letter), p.footprint};
   const bool has_label = hash(4, 0, m.seed) & 1u;
   const float label = has_label ? inside_rectangle(p, 0.12f * m.width, from - 0.01f, 0.88f * m.width, to) : 0;
@@ -218,7 +219,7 @@ Color pages(const Material& m, const Point& p) {
 
 // White margin and dark frame of everything that hangs on a wall.
 Color framed(const Material& m, const Point& p, const Color& picture) {
-  const float to_edge = std::fmin(std::fmin(p.u, m.width - p.u), std::fmin(p.v, m.height - p.v));
+  const float to_edge = std::min(std::min(p.u, m.width - p.u), std::min(p.v, m.height - p.v));
   const Color mat = shade(srgb(0xe9e4d8), 0.03f * fractal_noise(p.u, p.v, 0.02f, 0.8f, p.footprint, m.seed));
   return mix(mat, picture, edge(to_edge - 0.055f, p.footprint));
 }
@@ -276,7 +277,7 @@ Color mosaic(const Material& m, const Point& p) {
   const bool split = hash01(big.i, big.j, m.seed) < 0.45f;
   const float tile_size = split ? 0.5f * size : size;
   const Cell c = cell_at(p.u, p.v, tile_size, tile_size);
-  const float gap = (0.5f - std::fmax(std::abs(c.x - 0.5f), std::abs(c.y - 0.5f))) * tile_size;
+  const float gap = (0.5f - std::max(std::abs(c.x - 0.5f), std::abs(c.y - 0.5f))) * tile_size;
   const Color tile = shade(
       mix(painter(hash(c.i, c.j, m.seed + split), m.seed), mix(m.a, m.b, hash01(c.j, c.i, m.seed)), 0.4f),
       0.12f * fractal_noise(p.u, p.v, 0.03f, 0.85f, p.footprint, m.seed));
@@ -291,7 +292,7 @@ Color carton(const Material& m, const Point& p) {
               v0 = m.height * (0.15f + 0.25f * hash01(1, 2, m.seed));
   const float u1 = u0 + 0.5f * m.width, v1 = v0 + 0.42f * m.height;
   color = mix(color, m.b, inside_rectangle(p, u0, v0, u1, v1));
-  const float ink = glyphs(p, std::fmin(0.022f, 0.09f * m.width), m.seed) *
+  const float ink = glyphs(p, std::min(0.022f, 0.09f * m.width), m.seed) *
                     inside_rectangle(p, u0 + 0.012f, v0 + 0.012f, u1 - 0.012f, v1 - 0.012f);
   return mix(color, m.a * 0.15f, ink);
 }

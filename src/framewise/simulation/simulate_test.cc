@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/simulation/simulate.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <opencv2/features2d.hpp>
+#include <stdexcept>
+
+namespace framewise {
+namespace {
+
+SimulateOptions small_recording(int frames, int width) {
+  SimulateOptions options;
+  options.frames = frames;
+  options.width = width;
+  options.height = width * 3 / 4;
+  options.light_cell = 10;
+  return options;
+}
+
+std::vector<SimulatedFrame> recording(const SimulateOptions& options) {
+  std::vector<SimulatedFrame> frames;
+  simulate(options, [&](const SimulatedFrame& frame) {
+    frames.push_back(frame);
+    return true;
+  });
+  return frames;
+}
+
+bool same_bytes(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && a.type() == b.type() &&
+         std::memcmp(a.data, b.data, a.total() * a.elemSize()) == 0;
+}
+
+// Whether 1 / z runs straight through the pixel, along both axes: so it does on a plane, and neither at an
+// edge nor at a crease.
+bool is_on_plane(const cv::Mat& depth, int u, int v) {
+  const auto inverse = [&](int x, int y) { return 1.0 / depth.at<float>(y, x); };
+  const double here = inverse(u, v);
+  return std::abs(inverse(u - 1, v) - 2 * here + inverse(u + 1, v)) < 2e-5 * here &&
+         std::abs(inverse(u, v - 1) - 2 * here + inverse(u, v + 1)) < 2e-5 * here;
+}
+
+// Depth of another frame at a subpixel, where its four pixels see planes.
+std::optional<double> depth_between_pixels(const cv::Mat& depth, const Eigen::Vector2d& pixel) {
+  const int u = static_cast<int>(std::floor(pixel.x())), v = static_cast<int>(std::floor(pixel.y()));
+  if (u < 1 || v < 1 || u + 2 >= depth.cols || v + 2 >= depth.rows) return std::nullopt;
+  double inverse = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (!is_on_plane(depth, u + k % 2, v + k / 2)) return std::nullopt;
+    const double s = pixel.x() - u, t = pixel.y() - v;
+    inverse += (k % 2 ? s : 1 - s) * (k / 2 ? t : 1 - t) / depth.at<float>(v + k / 2, u + k % 2);
+  }
+  return 1 / inverse;
+}
+
+struct Agreement {
+  int compared = 0, within_1_mm = 0;
+};
+
+Agreement warp(const Camera& camera, const SimulatedFrame& from, const SimulatedFrame& to) {
+  const Pose to_from_from = to.world_from_cam.inverse() * from.world_from_cam;
+  Agreement agreement;
+  for (int v = 0; v < camera.height; v += 2) {
+    for (int u = 0; u < camera.width; u += 2) {
+      const Bearing ray = *camera.bearing({u, v});
+      const Eigen::Vector3d x = to_from_from * (ray * (from.frame.depth.at<float>(v, u) / ray.z()));
+      const auto pixel = camera.project(x);
+      if (!pixel) continue;
+      const auto z = depth_between_pixels(to.frame.depth, *pixel);
+      if (!z || x.z() > *z + 0.05) continue;  // hidden behind something
+      ++agreement.compared;
+      agreement.within_1_mm += std::abs(x.z() - *z) < 1e-3;
+    }
+  }
+  return agreement;
+}
+
+// Four views that differ by decimetres, lit once for several tests.
+const SimulateOptions kFourViews = [] {
+  SimulateOptions options = small_recording(4, 320);
+  options.rate_hz = 1.5;
+  options.seed = 5;
+  return options;
+}();
+
+const std::vector<SimulatedFrame>& four_views() {
+  static const std::vector<SimulatedFrame> frames = recording(kFourViews);
+  return frames;
+}
+
+TEST(Simulate, DepthAndTruthAgree) {
+  const auto& frames = four_views();
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      if (std::abs(i - j) > 2) continue;
+      const Agreement agreement = warp(sensor_of(kFourViews).camera, frames[i], frames[j]);
+      EXPECT_GT(agreement.compared, 2000) << i << " to " << j;
+      EXPECT_GT(agreement.within_1_mm, 0.97 * agreement.compared) << i << " to " << j;
+    }
+  }
+  // The test can see a pose that is a centimetre off.
+  SimulatedFrame moved = frames[1];
+  moved.world_from_cam.t += Eigen::Vector3d(0.01, 0.01, 0.01);
+  const Agreement wrong = warp(sensor_of(kFourViews).camera, frames[0], moved);
+  EXPECT_LT(wrong.within_1_mm, 0.5 * wrong.compared);
+}
+
+TEST(Simulate, SameBytesAtAnyThreadCountAndOnlyWithTheSameSeed) {
+  SimulateOptions options = small_recording(3, 96);
+  options.rate_hz = 3;
+  options.threads = 1;
+  const auto one = recording(options);
+  options.threads = 2;
+  const auto two = recording(options);
+  options.seed = 1;
+  const auto other = recording(options);
+  ASSERT_EQ(one.size(), 3u);
+  ASSERT_EQ(two.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(one[i].index, i);
+    EXPECT_EQ(one[i].frame.time, frame_time(options, i));
+    EXPECT_TRUE(same_bytes(one[i].frame.color, two[i].frame.color));
+    EXPECT_TRUE(same_bytes(one[i].frame.gray, two[i].frame.gray));
+    EXPECT_TRUE(same_bytes(one[i].frame.depth, two[i].frame.depth));
+    EXPECT_FALSE(same_bytes(one[i].frame.color, other[i].frame.color));
+  }
+}
+
+TEST(Simulate, EveryFrameHasTextureAndDepth) {
+  SimulateOptions options = small_recording(16, 320);
+  options.rate_hz = 0.4;  // twice round the room
+  for (const SimulatedFrame& simulated : recording(options)) {
+    std::vector<cv::KeyPoint> corners;
+    cv::FAST(simulated.frame.gray, corners, 20);
+    EXPECT_GT(corners.size(), 300u) << simulated.index;
+    const cv::Mat valid = simulated.frame.depth == simulated.frame.depth;
+    EXPECT_GT(cv::countNonZero(valid), 0.9 * valid.total()) << simulated.index;
+  }
+}
+
+TEST(Simulate, TruthHoldsEveryFrameAndAtLeastHundredPosesASecond) {
+  const Trajectory truth = true_trajectory(kFourViews, 4);
+  for (const SimulatedFrame& simulated : four_views()) {
+    const auto pose = pose_at(truth, simulated.frame.time, 0);
+    ASSERT_TRUE(pose) << "no line with exactly the time of frame " << simulated.index;
+    EXPECT_EQ(pose->matrix(), simulated.world_from_cam.matrix());
+  }
+  EXPECT_EQ(truth.times.back(), four_views().back().frame.time);
+  for (std::size_t i = 1; i < truth.size(); ++i) EXPECT_LE(truth.times[i] - truth.times[i - 1], 0.010001);
+}
+
+TEST(Simulate, TheSinkCanEndARecording) {
+  int seen = 0;
+  simulate(small_recording(50, 64), [&](const SimulatedFrame& frame) {
+    EXPECT_EQ(frame.index, seen);
+    return ++seen < 4;
+  });
+  EXPECT_EQ(seen, 4);
+}
+
+TEST(Simulate, AnErrorOfTheSinkReachesTheCaller) {
+  EXPECT_THROW(simulate(small_recording(9, 64),
+                        [](const SimulatedFrame&) -> bool { throw std::runtime_error("disk is full"); }),
+               std::runtime_error);
+}
+
+std::string refusal_of(const SimulateOptions& options) {
+  try {
+    options.check();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Simulate, RefusesOptionsByName) {
+  SimulateOptions options;
+  EXPECT_EQ(refusal_of(options), "accepted");
+  options.scene = "moon";
+  EXPECT_EQ(refusal_of(options), "scene is 'moon', expected one of: room");
+  options = {};
+  options.frames = 0;
+  EXPECT_THAT(refusal_of(options), testing::HasSubstr("frames is 0"));
+  options = {};
+  options.rate_hz = std::nan("");
+  EXPECT_THAT(refusal_of(options), testing::HasSubstr("rate_hz is nan"));
+  options = {};
+  options.width = -640;
+  EXPECT_THAT(refusal_of(options), testing::HasSubstr("width is -640"));
+  EXPECT_THROW(simulate(options, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace framewise
