@@ -22,7 +22,8 @@ inline float inverse_square(double T) { return static_cast<float>(1 / (T * T)); 
 // When to stop looking at the rest of the rows: see Judge.
 class GiveUp {
  public:
-  explicit GiveUp(const Judge& judge) : cost_bound_(judge.cost_bound), log_hopeless_(std::log(judge.hopeless_odds)) {
+  explicit GiveUp(const Judge& judge)
+      : cost_bound_(judge.cost_bound), log_hopeless_(std::log(judge.hopeless_odds)) {
     if (judge.good_share <= judge.bad_share) return;
     log_inlier_ = std::log(judge.bad_share / judge.good_share);
     log_outlier_ = std::log((1 - judge.bad_share) / (1 - judge.good_share));
@@ -37,10 +38,8 @@ class GiveUp {
 };
 
 using ScoreLoop = Tally (*)(const Columns&, const double*, const double*, const Judge&);
-using EquationsLoop = void (*)(const Columns&, const double*, const double*, double, SampsonNormalEquations&);
 struct ScoringLoops {
   ScoreLoop sampson_plane, sampson_sphere, triangulated, distance, projection_plane, projection_sphere;
-  EquationsLoop equations_plane, equations_sphere;
 };
 
 namespace portable {
@@ -104,15 +103,6 @@ Tally score_projection_plane(const Columns& columns, const double* R, const doub
 Tally score_projection_sphere(const Columns& columns, const double* R, const double* t, const Judge& judge) {
   return loops().projection_sphere(columns, R, t, judge);
 }
-void sampson_equations_plane(const Columns& columns, const double* E, const double* dE, double max_error,
-                             SampsonNormalEquations& result) {
-  loops().equations_plane(columns, E, dE, max_error, result);
-}
-void sampson_equations_sphere(const Columns& columns, const double* E, const double* dE, double max_error,
-                              SampsonNormalEquations& result) {
-  loops().equations_sphere(columns, E, dE, max_error, result);
-}
-
 double price(double q, Scoring scoring) {
   if (!(q < 1)) return 1;
   switch (scoring) {

@@ -64,10 +64,6 @@ SingularFrames singular_frames(const Eigen::Matrix3d& E) {
 
 }  // namespace
 
-Eigen::Matrix3d essential_from_pose(const Pose& cam2_from_cam1) {
-  return skew(cam2_from_cam1.t.normalized()) * cam2_from_cam1.R;
-}
-
 Eigen::Matrix3d nearest_essential(const Eigen::Matrix3d& M) {
   const auto [U, V] = singular_frames(M);
   return U.leftCols<2>() * V.leftCols<2>().transpose();

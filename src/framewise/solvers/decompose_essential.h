@@ -8,14 +8,12 @@
 #include <optional>
 #include <span>
 
+#include "framewise/geometry/epipolar.h"
 #include "framewise/geometry/pose.h"
 
 namespace framewise {
 
 // Essential matrices and the motions they stand for: E = [t]x R, x2' E x1 = 0, x_in_cam2 = R x_in_cam1 + t.
-
-// [t]x R with |t| = 1 (t must not be zero).
-Eigen::Matrix3d essential_from_pose(const Pose& cam2_from_cam1);
 
 // The matrix with singular values (1, 1, 0) that is nearest to M up to M's scale (Frobenius norm).
 Eigen::Matrix3d nearest_essential(const Eigen::Matrix3d& M);
