@@ -8,8 +8,12 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "framewise/robust/absolute_pose.h"
 #include "framewise/robust/registration.h"
 #include "framewise/robust/relative_pose.h"
+#include "framewise/robust/rgbd_pose.h"
+#include "framewise/solvers/refine_relative_pose.h"
+#include "framewise/solvers/refine_rgbd_pair.h"
 #include "robust_peers.h"
 
 namespace framewise::bench {
@@ -17,17 +21,13 @@ namespace {
 
 struct Row {
   const char* name;
-  testing::Scene scene;
-  std::size_t size;
-  double inlier_share;
+  Setting setting;
 };
 
 std::vector<RobustProblem> make_problems(const Row& row, std::size_t count) {
-  testing::Random random(row.size + static_cast<std::size_t>(1000 * row.inlier_share));
+  testing::Random random(row.setting.size + static_cast<std::size_t>(1000 * row.setting.inlier_share));
   std::vector<RobustProblem> problems;
-  for (std::size_t i = 0; i < count; ++i) {
-    problems.push_back(make_robust_problem(row.scene, row.size, row.inlier_share, random));
-  }
+  for (std::size_t i = 0; i < count; ++i) problems.push_back(make_robust_problem(row.setting, random));
   return problems;
 }
 
@@ -67,13 +67,47 @@ Method framewise_relative(const std::string& name, RelativePoseSolver solver) {
           }};
 }
 
+RefineOptions image_noise(const RobustProblem& p) {
+  RefineOptions options;
+  options.sigma = p.noise_px / kFocal;
+  return options;
+}
+
+// Least squares from the truth on the true inliers: nobody can be better on average.
+Method oracle_relative() {
+  return {"oracle", [](const RobustProblem& p) -> std::optional<Pose> {
+            std::vector<Bearing> x1, x2;
+            for (std::size_t i = 0; i < p.good.size(); ++i) {
+              if (p.good[i]) x1.push_back(p.x1[i]), x2.push_back(p.x2[i]);
+            }
+            return refine_relative_pose(p.cam2_from_cam1, x1, x2, image_noise(p)).pose;
+          }};
+}
+
+Method oracle_depth() {
+  return {"oracle", [](const RobustProblem& p) -> std::optional<Pose> {
+            std::vector<Bearing> x1, x2;
+            std::vector<double> z1, z2;
+            for (std::size_t i = 0; i < p.good.size(); ++i) {
+              if (!p.good[i]) continue;
+              x1.push_back(p.x1[i]), x2.push_back(p.x2[i]);
+              z1.push_back(p.X1[i].z()), z2.push_back(p.X2[i].z());
+            }
+            return refine_rgbd_pair(p.cam2_from_cam1, x1, z1, x2, z2, {}, image_noise(p)).pose;
+          }};
+}
+
 void two_view_rows(std::size_t count, const std::string& part) {
-  const Row rows[] = {{"500, 50 %, wide", testing::Scene::kRandom, 500, 0.5},
-                      {"500, 25 %, wide", testing::Scene::kRandom, 500, 0.25},
-                      {"200, 90 %, odometry", testing::Scene::kOdometry, 200, 0.9},
-                      {"500, 50 %, odometry", testing::Scene::kOdometry, 500, 0.5},
-                      {"2000, 25 %, odometry", testing::Scene::kOdometry, 2000, 0.25}};
-  std::vector<Method> methods = {framewise_relative("framewise 8-point", RelativePoseSolver::kEightPoint)};
+  const Row rows[] = {{"500, 50 %, wide, 1 px", {testing::Scene::kRandom, 500, 0.5, 1.0}},
+                      {"500, 25 %, wide, 1 px", {testing::Scene::kRandom, 500, 0.25, 1.0}},
+                      {"200, 90 %, odometry, 0.5 px", {testing::Scene::kOdometry, 200, 0.9, 0.5}},
+                      {"500, 50 %, odometry, 0.5 px", {testing::Scene::kOdometry, 500, 0.5, 0.5}},
+                      {"500, 50 %, odometry, 1 px", {testing::Scene::kOdometry, 500, 0.5, 1.0}},
+                      {"2000, 25 %, odometry, 0.5 px", {testing::Scene::kOdometry, 2000, 0.25, 0.5}}};
+  std::vector<Method> methods = {
+      framewise_relative("framewise 8-point", RelativePoseSolver::kEightPoint),
+      framewise_relative("framewise Nister 5-point", RelativePoseSolver::kNister5pt),
+                                 framewise_relative("framewise eigensolver", RelativePoseSolver::kEigensolver), oracle_relative()};
 #ifdef FRAMEWISE_BENCH_POSELIB
   methods.push_back(poselib_relative(false));
   methods.push_back(poselib_relative(true));
@@ -100,6 +134,25 @@ void two_view_rows(std::size_t count, const std::string& part) {
   }
 }
 
+Method framewise_rgbd() {
+  return {"framewise RGB-D", [](const RobustProblem& p) -> std::optional<Pose> {
+            std::vector<double> z1, z2;
+            for (const auto& X : p.X1) z1.push_back(X.z());
+            for (const auto& X : p.X2) z2.push_back(X.z());
+            const auto estimate = estimate_rgbd_pose(p.x1, z1, p.x2, z2);
+            if (!estimate) return std::nullopt;
+            return estimate->cam2_from_cam1;
+          }};
+}
+
+Method framewise_absolute() {
+  return {"framewise absolute", [](const RobustProblem& p) -> std::optional<Pose> {
+            const auto estimate = estimate_absolute_pose(p.X1, p.x2);
+            if (!estimate) return std::nullopt;
+            return estimate->cam2_from_cam1;
+          }};
+}
+
 Method framewise_registration() {
   return {"framewise registration 5 cm", [](const RobustProblem& p) -> std::optional<Pose> {
             const auto estimate = estimate_registration(p.X1, p.X2);
@@ -109,9 +162,11 @@ Method framewise_registration() {
 }
 
 void depth_rows(std::size_t count, const std::string& part) {
-  const Row rows[] = {{"depth, 200, 90 %", testing::Scene::kOdometry, 200, 0.9},
-                      {"depth, 200, 25 %", testing::Scene::kOdometry, 200, 0.25}};
-  std::vector<Method> methods = {framewise_registration()};
+  // Depth of 0.8 to 3.2 m, a depth camera's range.
+  const Row rows[] = {{"depth, 200, 90 %", {testing::Scene::kOdometry, 200, 0.9, 0.5, 0.4}},
+                      {"depth, 200, 25 %", {testing::Scene::kOdometry, 200, 0.25, 0.5, 0.4}}};
+  std::vector<Method> methods = {framewise_registration(), framewise_absolute(), framewise_rgbd(),
+                                 oracle_depth()};
 #ifdef FRAMEWISE_BENCH_POSELIB
   methods.push_back(poselib_absolute(false));
   methods.push_back(poselib_absolute(true));

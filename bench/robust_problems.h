@@ -31,13 +31,24 @@ inline Eigen::Vector3d ray(const Eigen::Vector2d& px) {
   return {(px.x() - kCx) / kFocal, (px.y() - kCy) / kFocal, 1};
 }
 
-// Noise of 0.5 to 1 px a coordinate in both images; a wrong match is two pixels that have nothing in common.
-inline RobustProblem make_robust_problem(testing::Scene scene, std::size_t size, double inlier_share,
-                                         testing::Random& random) {
-  const testing::TwoViewProblem exact = testing::make_problem(scene, size, random);
+struct Setting {
+  testing::Scene scene;
+  std::size_t size;
+  double inlier_share;
+  double noise_px;   // of each coordinate in both images
+  double scale = 1;  // of the scene: at 1 its depth is 2 to 8 m
+};
+
+// A wrong match is two pixels that have nothing in common.
+inline RobustProblem make_robust_problem(const Setting& setting, testing::Random& random) {
+  const std::size_t size = setting.size;
+  testing::TwoViewProblem exact = testing::make_problem(setting.scene, size, random);
+  for (auto* points : {&exact.X1, &exact.X2}) {
+    for (auto& X : *points) X *= setting.scale;
+  }
   RobustProblem p;
-  p.cam2_from_cam1 = exact.cam2_from_cam1;
-  p.noise_px = random.uniform(0.5, 1.0);
+  p.cam2_from_cam1 = {exact.cam2_from_cam1.R, setting.scale * exact.cam2_from_cam1.t};
+  p.noise_px = setting.noise_px;
   const auto anywhere = [&] { return Eigen::Vector2d(random.uniform(0, 640), random.uniform(0, 480)); };
   const auto noisy = [&](const Eigen::Vector3d& X) {
     return Eigen::Vector2d(pixel(X) + p.noise_px * Eigen::Vector2d(random.normal(), random.normal()));
@@ -45,11 +56,11 @@ inline RobustProblem make_robust_problem(testing::Scene scene, std::size_t size,
   const DepthNoise depth;
   const auto measured = [&](double z) { return z + depth.sigma(z) * random.normal(); };
   for (std::size_t i = 0; i < size; ++i) {
-    const bool good = static_cast<double>(i) < inlier_share * static_cast<double>(size);
+    const bool good = static_cast<double>(i) < setting.inlier_share * static_cast<double>(size);
     p.good.push_back(good);
     p.px1.push_back(good ? noisy(exact.X1[i]) : anywhere());
     p.px2.push_back(good ? noisy(exact.X2[i]) : anywhere());
-    const double z2 = good ? exact.X2[i].z() : random.uniform(2, 8);
+    const double z2 = good ? exact.X2[i].z() : setting.scale * random.uniform(2, 8);
     p.X1.push_back(measured(exact.X1[i].z()) * ray(p.px1[i]));
     p.X2.push_back(measured(z2) * ray(p.px2[i]));
     p.x1.push_back(ray(p.px1[i]).normalized());

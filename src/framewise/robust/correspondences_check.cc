@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/robust/correspondences_check.h"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -33,10 +34,32 @@ void check_bearings(const char* door, const char* argument, std::span<const Eige
   }
 }
 
+void check_forward(const char* door, const char* argument, std::span<const Eigen::Vector3d> rays) {
+  check_points(door, argument, rays);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (rays[i].z() > 0) continue;
+    refuse(door, ": ", argument, "[", i, "] has z ", rays[i].z(), ", expected a ray that points forward");
+  }
+}
+
+void check_depths(const char* door, const char* argument, std::span<const double> depths) {
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (!std::isinf(depths[i])) continue;
+    refuse(door, ": ", argument, "[", i, "] is infinite, expected metres, or NaN where there is none");
+  }
+}
+
 void check_same_size(const char* door, const char* first, std::size_t first_size, const char* second,
                      std::size_t second_size) {
   if (first_size == second_size) return;
   refuse(door, ": ", second, " has ", second_size, " elements, expected ", first_size, " as ", first, " has");
+}
+
+void check_rotation(const char* door, const char* argument, const Eigen::Matrix3d& R) {
+  const double off = (R.transpose() * R - Eigen::Matrix3d::Identity()).norm();
+  if (off < 1e-6 && R.determinant() > 0) return;
+  refuse(door, ": ", argument, " is ", off, " off orthonormal with determinant ", R.determinant(),
+         ", expected a rotation");
 }
 
 void check_positive(const char* door, const char* argument, double value) {

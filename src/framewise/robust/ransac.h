@@ -26,9 +26,9 @@ namespace framewise {
 //     static constexpr std::size_t kMaxModels = 10;       // of one sample
 //     std::size_t size() const;                           // correspondences
 //     std::size_t sample_size() const;                    // at most 16
-//     void solve(std::span<const std::uint32_t> sample, Hypotheses<Model, kMaxModels>& models);
-//     Tally score(const Model& model, const Judge& judge);
-//     bool refine(Model& model);                          // least squares on its inliers; false: not
+//     void solve(std::span<const std::uint32_t> sample, Hypotheses<Model, kMaxModels>& models) const;
+//     Tally score(const Model& model, const Judge& judge) const;
+//     bool refine(Model& model) const;                    // least squares on its inliers; false: not
 //     possible
 //   };
 //
@@ -63,8 +63,8 @@ class BadShare {
 // (Fischler and Bolles, CACM 1981). With local optimisation every new best is refined at once (Chum, Matas,
 // Kittler, Locally Optimized RANSAC, DAGM 2003). Empty when no sample gave a hypothesis.
 template <typename Problem>
-std::optional<RansacResult<typename Problem::Model>> ransac(Problem& problem, const RansacOptions& options,
-                                                            double max_error) {
+std::optional<RansacResult<typename Problem::Model>> ransac(const Problem& problem,
+                                                            const RansacOptions& options, double max_error) {
   using Model = typename Problem::Model;
   const std::size_t size = problem.size();
   const int sample_size = static_cast<int>(problem.sample_size());

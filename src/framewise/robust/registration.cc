@@ -6,6 +6,7 @@
 
 #include "framewise/geometry/alignment.h"
 #include "framewise/geometry/so3.h"
+#include "framewise/robust/bearings.h"
 #include "framewise/robust/correspondences_check.h"
 #include "framewise/robust/ransac.h"
 
@@ -13,7 +14,6 @@ namespace framewise {
 namespace {
 
 constexpr char kDoor[] = "estimate_registration";
-using RowMajor3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 class RegistrationProblem {
  public:
@@ -33,19 +33,19 @@ class RegistrationProblem {
   std::size_t size() const { return X1_.size(); }
   std::size_t sample_size() const { return 3; }
 
-  void solve(std::span<const std::uint32_t> sample, Hypotheses<Pose, 1>& models) {
+  void solve(std::span<const std::uint32_t> sample, Hypotheses<Pose, 1>& models) const {
     std::array<Eigen::Vector3d, 3> a, b;
     for (int k = 0; k < 3; ++k) a[k] = X1_[sample[k]], b[k] = X2_[sample[k]];
     if (const auto pose = kabsch(a, b)) models.push_back(*pose);
   }
 
-  Tally score(const Pose& pose, const Judge& judge) {
+  Tally score(const Pose& pose, const Judge& judge) const {
     const RowMajor3d R = pose.R;
     return score_distance(columns_, R.data(), pose.t.data(), judge);
   }
 
   // Kabsch of the inliers, until their number no longer grows.
-  bool refine(Pose& pose) {
+  bool refine(Pose& pose) const {
     constexpr int kMaxRounds = 10;
     std::size_t before = 0;
     for (int round = 0; round < kMaxRounds; ++round) {
@@ -64,7 +64,7 @@ class RegistrationProblem {
   }
 
  private:
-  void gather(const Pose& pose) {
+  void gather(const Pose& pose) const {
     inliers1_.clear();
     inliers2_.clear();
     for (std::size_t i = 0; i < size(); ++i) {
@@ -77,7 +77,7 @@ class RegistrationProblem {
   std::span<const Eigen::Vector3d> X1_, X2_;
   double max_error_;
   Columns columns_;
-  std::vector<Eigen::Vector3d> inliers1_, inliers2_;
+  mutable std::vector<Eigen::Vector3d> inliers1_, inliers2_;  // kept, so that refining allocates nothing
 };
 
 // Of least squares on points with the same isotropic noise in X2, its variance from the residuals: with

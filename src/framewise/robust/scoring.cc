@@ -38,10 +38,8 @@ class GiveUp {
 };
 
 using ScoreLoop = Tally (*)(const Columns&, const double*, const double*, const Judge&);
-using EquationsLoop = void (*)(const Columns&, const double*, const double*, double, SampsonNormalEquations&);
 struct ScoringLoops {
   ScoreLoop sampson_plane, sampson_sphere, triangulated, distance, projection_plane, projection_sphere;
-  EquationsLoop equations_plane, equations_sphere;
 };
 
 namespace portable {
@@ -105,15 +103,6 @@ Tally score_projection_plane(const Columns& columns, const double* R, const doub
 Tally score_projection_sphere(const Columns& columns, const double* R, const double* t, const Judge& judge) {
   return loops().projection_sphere(columns, R, t, judge);
 }
-void sampson_equations_plane(const Columns& columns, const double* E, const double* dE, double max_error,
-                             SampsonNormalEquations& result) {
-  loops().equations_plane(columns, E, dE, max_error, result);
-}
-void sampson_equations_sphere(const Columns& columns, const double* E, const double* dE, double max_error,
-                              SampsonNormalEquations& result) {
-  loops().equations_sphere(columns, E, dE, max_error, result);
-}
-
 double price(double q, Scoring scoring) {
   if (!(q < 1)) return 1;
   switch (scoring) {

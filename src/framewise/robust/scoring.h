@@ -75,18 +75,6 @@ Tally score_projection_plane(const Columns& columns, const double* R, const doub
 // Sine of the angle between R X1 + t and the bearing x2: columns X1 (3) and x2 (3).
 Tally score_projection_sphere(const Columns& columns, const double* R, const double* t, const Judge& judge);
 
-// Gauss-Newton equations of Sampson's distance under Tukey's loss 1 - (1 - q)^3, q = r^2 / T^2: the lower
-// triangle of sum w J'J row by row (15), sum w J'r (5), and the loss (1). dE holds the derivatives of E with
-// respect to five parameters, each 3x3 row-major. Columns as for the scores above.
-//   Beaton and Tukey, The fitting of power series, Technometrics 1974.
-struct SampsonNormalEquations {
-  double values[21];
-};
-void sampson_equations_plane(const Columns& columns, const double* E, const double* dE, double max_error,
-                             SampsonNormalEquations& result);
-void sampson_equations_sphere(const Columns& columns, const double* E, const double* dE, double max_error,
-                              SampsonNormalEquations& result);
-
 // The price of one residual, q = r^2 / T^2: what the loops above sum. The marginalised price is
 //   rho(r) = integral from 0 to r of x w(x) dx, scaled to rho(T) = 1,  w(x) = erfc(x / sqrt(2) s) - erfc(T /
 //   sqrt(2) s)

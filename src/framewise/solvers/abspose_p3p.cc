@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framewise/solvers/polynomial_roots.h"
+
 namespace framewise {
 namespace {
 
@@ -25,29 +27,6 @@ struct Conic {
             s * a.yy + t * b.yy, s * a.yw + t * b.yw, s * a.ww + t * b.ww};
   }
 };
-
-// The outermost real root of s^3 + c2 s^2 + c1 s + c0 on the side that has it, by Newton's method from beyond
-// the last extremum: there the cubic bends away from its axis, so after one step all others come from the
-// same side.
-double outer_cubic_root(double c2, double c1, double c0) {
-  // Around the inflection the cubic is u^3 - 3 e^2 u + value, its extrema at u = -e and e.
-  const double inflection = -c2 / 3, d = c2 * c2 - 3 * c1;
-  const double value = c0 + inflection * (c1 + inflection * (c2 + inflection));
-  const double e = d > 0 ? std::sqrt(d) / 3 : 0, e3 = e * e * e;
-  // u = e w with w^3 - 3 w = value / e^3: between 0 and 4, where w is sqrt(3) to 2.2, a parabola is close.
-  const double ratio = std::abs(value) / e3;
-  const double reach =
-      ratio < 4 ? e * (1.7320508 + ratio * (0.16667 - 0.0163 * ratio)) : std::cbrt(std::abs(value)) + e;
-  double s = value > 0 ? inflection - reach : inflection + reach;
-  for (int i = 0; i < 50; ++i) {
-    const double slope = c1 + s * (2 * c2 + 3 * s);
-    if (slope == 0) break;
-    const double step = (c0 + s * (c1 + s * (c2 + s))) / slope;
-    s -= step;
-    if (!(std::abs(step) > 1e-8 * std::abs(s))) break;  // Newton doubles the digits: the rest is rounding
-  }
-  return s;
-}
 
 struct DepthRatios {
   double x, y;  // lambda1 / lambda3, lambda2 / lambda3
@@ -143,16 +122,16 @@ Pencil degenerate(const Conic& C1, const Conic& C2) {
     // C2).
     const double sign = k1 * k2 < 0 ? -1 : 1;
     const double inverse = 1 / (k0 + sign * k1 + k2 + sign * k3);
-    const double sigma = outer_cubic_root((3 * k0 + sign * 2 * k1 + k2) * inverse,
-                                          (3 * k0 + sign * k1) * inverse, k0 * inverse);
+    const double sigma = outermost_cubic_root((3 * k0 + sign * 2 * k1 + k2) * inverse,
+                                              (3 * k0 + sign * k1) * inverse, k0 * inverse);
     return {1 + sigma, sign * sigma};
   }
   if (std::abs(k3) < std::abs(k0)) {
     const double inverse = 1 / k0;
-    return {outer_cubic_root(k1 * inverse, k2 * inverse, k3 * inverse), 1};
+    return {outermost_cubic_root(k1 * inverse, k2 * inverse, k3 * inverse), 1};
   }
   const double inverse = 1 / k3;
-  return {1, outer_cubic_root(k2 * inverse, k1 * inverse, k0 * inverse)};
+  return {1, outermost_cubic_root(k2 * inverse, k1 * inverse, k0 * inverse)};
 }
 
 Hypotheses<DepthRatios, 4> depth_ratios(const Triangle& s) {
@@ -169,12 +148,19 @@ Hypotheses<DepthRatios, 4> depth_ratios(const Triangle& s) {
   return ratios;
 }
 
+// v times a factor that is 1 / |v| up to a few digits, made a unit vector: a Newton step of the reciprocal
+// root.
+Eigen::Vector3d unit(const Eigen::Vector3d& v, double inverse_length) {
+  const Eigen::Vector3d u = v * inverse_length;
+  return u * (1.5 - 0.5 * u.squaredNorm());
+}
+
 // Frame of a triangle: unit vectors along edge a, in the triangle's plane, and along its normal a x b.
 Eigen::Matrix3d frame(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double inverse_length,
                       double inverse_double_area) {
   Eigen::Matrix3d F;
-  F.col(0) = a * inverse_length;
-  F.col(2) = a.cross(b) * inverse_double_area;
+  F.col(0) = unit(a, inverse_length);
+  F.col(2) = unit(a.cross(b), inverse_double_area);
   F.col(1) = F.col(2).cross(F.col(0));
   return F;
 }

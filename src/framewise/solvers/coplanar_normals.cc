@@ -57,7 +57,8 @@ Eigen::Vector3d common_normal(std::span<const Bearing> x1, std::span<const Beari
 
 std::optional<RotationAndDirection> polish_coplanar_normals(std::span<const Bearing> x1,
                                                             std::span<const Bearing> x2,
-                                                            const RotationAndDirection& start, double reach) {
+                                                            const RotationAndDirection& start, double reach,
+                                                            std::span<const double> weights) {
   RotationAndDirection s = start;
   for (int iteration = 0; iteration < 12; ++iteration) {
     const Eigen::Vector3d b1 = s.t.unitOrthogonal(), b2 = s.t.cross(b1);
@@ -65,12 +66,13 @@ std::optional<RotationAndDirection> polish_coplanar_normals(std::span<const Bear
     s.cost = 0;
     for (std::size_t i = 0; i < x1.size(); ++i) {
       const Row row = linearise(x1[i], x2[i], s, b1, b2);
-      s.cost += row.j[5] * row.j[5];
+      const double w = weights.empty() ? 1.0 : weights[i];
+      s.cost += w * row.j[5] * row.j[5];
       if (x1.size() == 5)
         std::copy_n(row.j, 6, A[i]);
       else
         for (int k = 0; k < 5; ++k)
-          for (int l = 0; l < 6; ++l) A[k][l] += row.j[k] * row.j[l];
+          for (int l = 0; l < 6; ++l) A[k][l] += w * row.j[k] * row.j[l];
     }
     if (!solve5(A)) return std::nullopt;
     Eigen::Vector3d turn(A[0][5], A[1][5], A[2][5]);

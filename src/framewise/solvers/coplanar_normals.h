@@ -22,11 +22,12 @@ struct RotationAndDirection {
 Eigen::Vector3d common_normal(std::span<const Bearing> x1, std::span<const Bearing> x2,
                               const Eigen::Matrix3d& R);
 
-// Gauss-Newton on t . n_i = 0 over rotation and direction (5 unknowns; with five bearings Newton's method).
-// `reach` (rad) bounds a step of the rotation: about the distance between neighbouring solutions.
-// Empty when it does not settle.
+// Gauss-Newton on t . n_i = 0 over rotation and direction (5 unknowns; with five bearings Newton's method),
+// more of them weighted (empty: all 1). `reach` (rad) bounds a step of the rotation: about the distance
+// between neighbouring solutions. Empty when it does not settle.
 std::optional<RotationAndDirection> polish_coplanar_normals(std::span<const Bearing> x1,
                                                             std::span<const Bearing> x2,
-                                                            const RotationAndDirection& start, double reach);
+                                                            const RotationAndDirection& start, double reach,
+                                                            std::span<const double> weights = {});
 
 }  // namespace framewise

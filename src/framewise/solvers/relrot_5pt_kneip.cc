@@ -103,6 +103,7 @@ bool action_matrix(double (&quartics)[15][35], double (&M)[20][20]) {
 // they may be a double root.
 struct Candidates {
   double a[20];
+  bool explained[20] = {};
   int size = 0, real = 0;
 
   explicit Candidates(const SmallEigenvalues<20, 4>& eigen) {
@@ -115,7 +116,20 @@ struct Candidates {
       if (eigen.imag(i) > 0 && eigen.imag(i) < 1e-3 * (std::abs(eigen.real(i)) + 1e-3))
         a[size++] = eigen.real(i);
   }
+
+  // A rotation already found takes its eigenvalue out.
+  void explain(const Eigen::Matrix3d& R, double scale) {
+    const Eigen::Quaterniond q(R);
+    const double a_of_R = q.x() / (scale * q.w());
+    int nearest = 0;
+    for (int i = 1; i < real; ++i)
+      if (std::abs(a[i] - a_of_R) < std::abs(a[nearest] - a_of_R)) nearest = i;
+    if (std::abs(a[nearest] - a_of_R) < 1e-4 * std::abs(a_of_R)) explained[nearest] = true;
+  }
 };
+
+// The other rotation with the same epipolar planes, (2 t t' - I) R.
+Eigen::Matrix3d twin(const RotationAndDirection& s) { return 2 * s.t * (s.t.transpose() * s.R) - s.R; }
 
 bool contains(const Rotations& rotations, const Eigen::Matrix3d& R, double tolerance) {
   // |R - Q| is 2 sqrt(2) sin(angle / 2)
@@ -131,9 +145,10 @@ Rotations solve(const Gauge& gauge) {
   SmallEigenvalues<20, 4> eigen;
   if (!action_matrix(quartics, M) || !eigen.compute(M)) return rotations;
 
-  const Candidates candidates(eigen);
+  Candidates candidates(eigen);
   for (int k = 0; k < candidates.size; ++k) {
     // Both rotations of every pair are eigenvalues: one finds the other.
+    if (candidates.explained[k]) continue;
     if (k < candidates.real && rotations.size() >= static_cast<std::size_t>(candidates.real)) continue;
     if (rotations.size() + 2 > rotations.capacity()) break;
     double v[4];
@@ -148,7 +163,8 @@ Rotations solve(const Gauge& gauge) {
     const auto found = polish_coplanar_normals(gauge.f, gauge.g, start, gauge.scale);
     if (!found || contains(rotations, found->R, 1e-7 * gauge.scale)) continue;
     rotations.push_back(found->R);
-    rotations.push_back(2 * found->t * (found->t.transpose() * found->R) - found->R);
+    rotations.push_back(twin(*found));
+    candidates.explain(rotations[rotations.size() - 1], gauge.scale);
   }
   return rotations;
 }
@@ -159,6 +175,32 @@ Rotations relrot_5pt_kneip(const Five& x1, const Five& x2) {
   const Gauge gauge(x1, x2);
   Rotations rotations = solve(gauge);
   for (Eigen::Matrix3d& R : rotations) R = gauge.g_from_x2.transpose() * R * gauge.f_from_x1;
+  return rotations;
+}
+
+Rotations relrot_5pt_kneip(std::span<const Bearing> x1, std::span<const Bearing> x2) {
+  check_matching_sizes("relrot_5pt_kneip", x1.size(), x2.size());
+  if (x1.size() < 5 || x1.size() > 8)
+    throw std::invalid_argument("relrot_5pt_kneip: x1 has " + std::to_string(x1.size()) +
+                                " bearings, expected 5 to 8");
+  Five first1, first2;
+  std::copy_n(x1.begin(), 5, first1.begin());
+  std::copy_n(x2.begin(), 5, first2.begin());
+  const Rotations from_five = relrot_5pt_kneip(first1, first2);
+  if (x1.size() == 5) return from_five;
+
+  const double reach = Gauge(first1, first2).scale;
+  Hypotheses<RotationAndDirection, 10> refined;
+  for (std::size_t i = 0; i < from_five.size(); i += 2) {
+    const RotationAndDirection start{from_five[i], common_normal(first1, first2, from_five[i])};
+    if (const auto found = polish_coplanar_normals(x1, x2, start, reach)) refined.push_back(*found);
+  }
+  std::sort(refined.begin(), refined.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  Rotations rotations;
+  for (const RotationAndDirection& found : refined) {
+    rotations.push_back(found.R);
+    rotations.push_back(twin(found));
+  }
   return rotations;
 }
 

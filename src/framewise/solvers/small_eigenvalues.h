@@ -33,6 +33,10 @@ class SmallEigenvalues {
   void reduce(double (&A)[N][N]);
   bool francis(double (&A)[N][N]);
   void francis_step(double (&A)[N][N], int low, int high, double trace, double determinant);
+  // row -= y other, from column m on
+  static void subtract(double* __restrict row, double y, const double* __restrict other, int m) {
+    for (int j = m; j < N; ++j) row[j] -= y * other[j];
+  }
   void take_pair(double a, double b, double c, double d, int i);
 
   double H_[N][N];
@@ -61,13 +65,14 @@ void SmallEigenvalues<N, K>::reduce(double (&A)[N][N]) {
       factor[i] = y;
       A[i][m - 1] = 0;
       if (y == 0) continue;
-      for (int j = m; j < N; ++j) A[i][j] -= y * A[m][j];
+      subtract(A[i], y, A[m], m);
     }
     // Column m takes what the columns behind it lose.
     const auto gather = [&](double(&row)[N]) {
-      double sum = 0;
-      for (int j = m + 1; j < N; ++j) sum += factor[j] * row[j];
-      row[m] += sum;
+      double even = 0, odd = 0;
+      for (int j = (m + 1) / 2 * 2; j + 1 < N; j += 2)
+        even += factor[j] * row[j], odd += factor[j + 1] * row[j + 1];
+      row[m] += even + odd + (N % 2 ? factor[N - 1] * row[N - 1] : 0);
     };
     for (int i = 0; i < N; ++i) gather(A[i]);
     for (int i = 0; i < K; ++i) gather(basis_[i]);
@@ -132,11 +137,11 @@ void SmallEigenvalues<N, K>::francis_step(double (&A)[N][N], int low, int high, 
       // P = I - beta (1, v1, v2)(1, v1, v2)'
       const double beta = (alpha - x) / alpha, scale = 1 / (x - alpha);
       const double v1 = y * scale, v2 = z * scale;
-      double* r0 = A[k];
-      double* r1 = A[k + 1];
+      double* __restrict r0 = A[k];
+      double* __restrict r1 = A[k + 1];
       if (k > low) r0[k - 1] = alpha, r1[k - 1] = 0;
       if (three) {
-        double* r2 = A[k + 2];
+        double* __restrict r2 = A[k + 2];
         if (k > low) r2[k - 1] = 0;
         for (int j = k; j <= high; ++j) {
           const double p = beta * (r0[j] + v1 * r1[j] + v2 * r2[j]);

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/robust/consensus.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "framewise/geometry/epipolar.h"
+#include "framewise/solvers/decompose_essential.h"
+#include "framewise/solvers/refine_input.h"
+
+namespace framewise {
+namespace {
+
+constexpr std::size_t kFewest = 8;
+constexpr double kCut = 3.2;        // sigmas; Gaussian noise loses 0.14 % of its inliers
+constexpr double kFarParallax = 4;  // times the parallax that nine in ten of the members stay below
+constexpr double kMedianToSigma = 1 / 0.6745;
+
+double distance(const TwoViews& views, const Pose& pose, std::size_t i) {
+  const bool plane = views.surface == ImageSurface::kPlane;
+  const Bearing &a = views.x1[i], &b = views.x2[i];
+  return std::abs(plane ? sampson_residual(pose, a / a.z(), b / b.z(), views.surface)
+                        : sampson_residual(pose, a, b, views.surface));
+}
+
+double quantile(std::vector<double> values, double q) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+void choose_members(const TwoViews& views, const Pose& pose, double max_distance, double max_error,
+                    std::vector<std::uint32_t>& members) {
+  members.clear();
+  std::vector<double> parallaxes;
+  const double unsure = 2 * max_error;  // a parallax this small may have either sign
+  for (std::uint32_t i = 0; i < views.x1.size(); ++i) {
+    if (!(distance(views, pose, i) < max_distance)) continue;
+    const double parallax = (pose.R * views.x1[i]).cross(views.x2[i]).norm();
+    if (parallax > unsure && !in_front_of_both(pose, views.x1[i], views.x2[i])) continue;
+    members.push_back(i);
+    parallaxes.push_back(parallax);
+  }
+  if (members.empty()) return;
+  const double most = kFarParallax * quantile(parallaxes, 0.9) + unsure;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    if (parallaxes[k] <= most) members[kept++] = members[k];
+  }
+  members.resize(kept);
+}
+
+double noise_of(const TwoViews& views, const Pose& pose, std::span<const std::uint32_t> members) {
+  std::vector<double> distances;
+  for (const std::uint32_t i : members) distances.push_back(distance(views, pose, i));
+  constexpr double kLeast = 1e-12;  // exact data have no noise to divide by
+  return std::max(kMedianToSigma * quantile(distances, 0.5), kLeast);
+}
+
+}  // namespace
+
+Consensus find_consensus(const TwoViews& views, const Pose& start, double max_error) {
+  Consensus consensus;
+  consensus.refined.pose = start;
+  RefineOptions refine;
+  refine.surface = views.surface;
+  refine.max_iterations = 10;
+  refine.tolerance = 1e-4;
+  PointColumns pairs;
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    const Pose pose = consensus.refined.pose;
+    choose_members(views, pose, max_error, max_error, consensus.members);
+    if (consensus.members.size() < kFewest) break;
+    consensus.sigma = noise_of(views, pose, consensus.members);
+    // The first pose is not good enough to be strict.
+    const double widest = round == 0 ? 0.7 * max_error : 0;
+    choose_members(views, pose, std::min(max_error, std::max(widest, kCut * consensus.sigma)), max_error,
+                   consensus.members);
+    if (consensus.members.size() < kFewest) break;
+    refine.sigma = consensus.sigma;
+    fill_ray_pairs(pairs, views.x1, views.x2, views.surface, consensus.members);
+    consensus.refined = refine_relative_pose(pose, pairs, refine);
+  }
+  if (consensus.members.size() < kFewest) consensus.members.clear();
+  return consensus;
+}
+
+Pose choose_by_parallax(const TwoViews& views, const Pose& pose, double max_residual, double max_error) {
+  const auto poses = decompose_essential(essential_from_pose(pose));
+  std::array<double, 4> votes{};
+  for (std::size_t i = 0; i < views.x1.size(); ++i) {
+    if (!(distance(views, pose, i) < max_residual)) continue;
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      const double parallax = (poses[k].R * views.x1[i]).cross(views.x2[i]).norm();
+      if (in_front_of_both(poses[k], views.x1[i], views.x2[i]))
+        votes[k] += std::min(1.0, parallax / max_error);
+    }
+  }
+  return poses[static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin())];
+}
+
+}  // namespace framewise

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "framewise/geometry/image_surface.h"
+#include "framewise/geometry/pose.h"
+#include "framewise/solvers/refine_relative_pose.h"
+
+namespace framewise {
+
+// The pose that a set of correspondences agrees on, the set, and the noise that it shows.
+struct Consensus {
+  RelativePoseRefinement refined;
+  std::vector<std::uint32_t> members;
+  double sigma = 0;  // standard deviation of a residual (pixels / focal length, or rad)
+};
+
+// Two views, unit bearings, some of them wrong.
+struct TwoViews {
+  std::span<const Bearing> x1, x2;
+  ImageSurface surface;
+};
+
+// Least squares at the scale of the noise: chooses the correspondences within three times the noise, refines
+// on them, estimates the noise from them, and again. Starts from the pose of a hypothesis whose inliers have
+// Sampson distances below max_error. Empty members when fewer than 8 agree.
+//
+// Chosen are residuals that are small, points in front of both cameras, and parallaxes not far beyond those
+// of the others: in a small motion a wrong match that happens to lie on its epipolar line has a parallax tens
+// of times that of the right ones, and would fix the direction of t with that weight.
+Consensus find_consensus(const TwoViews& views, const Pose& start, double max_error);
+
+// Of the four poses with the same essential matrix the one with most of the members in front of both cameras,
+// each with the weight of its parallax up to max_error: the sign of a smaller one is noise.
+Pose choose_by_parallax(const TwoViews& views, const Pose& pose, double max_residual, double max_error);
+
+}  // namespace framewise
