@@ -229,8 +229,7 @@ void add_method_options(CLI::App& app, OdometryOptions& o) {
   app.add_option("--descriptor", o.features.descriptor, "orb")->capture_default_str();
   app.add_option("--features", o.features.count, "features asked for in a frame")->capture_default_str();
   app.add_option("--matcher", o.matcher, "brute-force (exact, cross-checked)")->capture_default_str();
-  app.add_option("--refine", o.refine,
-                 "kabsch inliers once more, weighed by their noise: covariance, or none")
+  app.add_option("--refine", o.refine, "the inliers once more, weighed by their noise: covariance, or none")
       ->capture_default_str();
   app.add_option("--keypoint-sigma-px", o.keypoint_sigma_px,
                  "noise of a feature's position at its finest scale")

@@ -24,7 +24,7 @@ struct OdometryOptions {
   std::string refine =
       "covariance";  // kabsch: after RANSAC the inliers again, each weighed by its noise; or none
   double keypoint_sigma_px =
-      0.7;                    // noise of a feature of the finest scale; coarser ones in proportion (pixels)
+      0.5;                    // noise of a feature of the finest scale; coarser ones in proportion (pixels)
   DepthNoise depth_noise;     // of the depth camera
   double max_error_m = 0.08;  // kabsch: two points farther apart than this disagree (m)
   double max_error_px = 1.5;  // eight-point: likewise for the distance to the epipolar line (pixels)

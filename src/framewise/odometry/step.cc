@@ -114,7 +114,8 @@ Step relate_bearings(Step step, const SharedSight& sight, const Camera& camera,
   relative.ransac = options.ransac;
   relative.ransac.seed = seed;
   relative.solver = RelativePoseSolver::kEightPoint;
-  relative.max_error = options.max_error_px / camera.fx;
+  relative.max_error = options.max_error_px / std::abs(camera.fx);
+  relative.final_refinement = options.refine != "none";
   const auto estimate = estimate_relative_pose(sight.x1, sight.x2, relative);
   step = with_estimate(step, estimate, options.min_inliers);
   if (!is_measured(step.status) || step.status == Status::kRotationOnly || options.scale == "none")

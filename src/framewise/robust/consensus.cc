@@ -56,7 +56,7 @@ void choose_members(const TwoViews& views, const Pose& pose, double max_distance
 double noise_of(const TwoViews& views, const Pose& pose, std::span<const std::uint32_t> members) {
   std::vector<double> distances;
   for (const std::uint32_t i : members) distances.push_back(distance(views, pose, i));
-  constexpr double kLeast = 1e-12;  // exact data have no noise to divide by
+  constexpr double kLeast = 1e-9;  // exact data have no noise to divide by
   return std::max(kMedianToSigma * quantile(distances, 0.5), kLeast);
 }
 

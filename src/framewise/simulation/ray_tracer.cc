@@ -76,8 +76,8 @@ RayTracer::RayTracer(const Scene& scene) : scene_(scene), accelerator_(std::make
   rtcCommitGeometry(mesh);
   rtcAttachGeometry(accelerator_->scene, mesh);
   rtcReleaseGeometry(mesh);
-  // Built on one thread: where two triangles share an edge, which of them a ray meets depends on the tree. A device
-  // of "threads=1" would do, but it holds all of TBB to one thread as long as it lives.
+  // Built on one thread: where two triangles share an edge, which of them a ray meets depends on the tree. A
+  // device of "threads=1" would do, but it holds all of TBB to one thread as long as it lives.
   tbb::task_arena(1).execute([&] { rtcJoinCommitScene(accelerator_->scene); });
   if (const RTCError error = rtcGetDeviceError(accelerator_->device); error != RTC_ERROR_NONE)
     throw std::runtime_error("Embree cannot build the scene (error " + std::to_string(error) + ")");

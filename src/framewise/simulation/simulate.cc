@@ -9,7 +9,6 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 #include "framewise/simulation/path.h"
@@ -66,16 +65,6 @@ void render_all(const SimulateOptions& options, int threads, const FrameSink& si
 const std::vector<std::string>& scene_names() {
   static const std::vector<std::string> names{"room"};
   return names;
-}
-
-std::string to_json(const SimulateOptions& options) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "{\n  \"scene\": \"" << options.scene << "\",\n  \"frames\": " << options.frames
-       << ",\n  \"rate_hz\": " << options.rate_hz << ",\n  \"seed\": " << options.seed
-       << ",\n  \"width\": " << options.width << ",\n  \"height\": " << options.height
-       << ",\n  \"light_cell\": " << std::to_string(options.light_cell) << "\n}\n";
-  return text.str();
 }
 
 void SimulateOptions::check() const {

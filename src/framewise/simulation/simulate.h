@@ -29,9 +29,6 @@ struct SimulateOptions {
 
 const std::vector<std::string>& scene_names();
 
-// What simulation.json holds: every option by its name.
-std::string to_json(const SimulateOptions& options);
-
 struct SimulatedFrame {
   int index;
   Frame frame;
