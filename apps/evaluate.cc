@@ -20,7 +20,9 @@ struct EvaluateCommand {
   std::filesystem::path reference, estimate;
   std::string align = "se3", unit = "frames", association = "nearest", pairs;
   EvaluationOptions options;
-  bool json = false;
+  bool json = false, quiet = false;
+  int threads = 0;         // one thread is always enough here, and nothing is drawn:
+  std::uint64_t seed = 0;  // both are taken because every command takes them
 };
 
 template <typename T>
@@ -59,7 +61,7 @@ int run(EvaluateCommand& command) {
   const Evaluation evaluation = evaluate(reference, estimate, options);
   if (command.json)
     fmt::print("{}\n", to_json(evaluation).dump(2));
-  else
+  else if (!command.quiet)
     fmt::print("{}", to_text(evaluation));
   return 0;
 }
@@ -91,7 +93,12 @@ void add_evaluate(CLI::App& program, Action& action) {
       ->capture_default_str();
   app->add_option("--time-offset", options.association.time_offset, "added to the estimate's times (s)")
       ->capture_default_str();
+  app->add_option("--threads", command->threads, "0: all cores; does not change the result")
+      ->capture_default_str();
+  app->add_option("--seed", command->seed, "of every random choice (there is none here)")
+      ->capture_default_str();
   app->add_flag("--json", command->json, "print one JSON object");
+  app->add_flag("--quiet", command->quiet, "print nothing but errors");
   app->footer(
       "Examples:\n"
       "  framewise evaluate groundtruth.txt out/trajectory.tum\n"

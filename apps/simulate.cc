@@ -19,7 +19,7 @@ constexpr double kDepthFactor = 5000;  // raw units a metre, as in the TUM bench
 struct SimulateCommand {
   std::filesystem::path out;
   SimulateOptions options;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 
 std::string record(const SimulateOptions& options) {
@@ -44,7 +44,10 @@ int run(const SimulateCommand& command) {
   }
   writer.finish(true_trajectory(command.options, command.options.frames));
   writer.write_text("simulation.json", record(command.options));
-  if (!command.quiet) fmt::print("Written: {} ({} frames)\n", command.out.string(), command.options.frames);
+  if (command.json)
+    fmt::print("{}", record(command.options));
+  else if (!command.quiet)
+    fmt::print("Written: {} ({} frames)\n", command.out.string(), command.options.frames);
   return 0;
 }
 
@@ -65,6 +68,7 @@ void add_simulate(CLI::App& program, Action& action) {
   app->add_option("--height", options.height, "pixels")->capture_default_str();
   app->add_option("--threads", options.threads, "0: all cores; the bytes are the same with any number")
       ->capture_default_str();
+  app->add_flag("--json", command->json, "print simulation.json on standard output");
   app->add_flag("--quiet", command->quiet, "print nothing but errors");
   app->footer("Example:\n  framewise simulate room --frames 300 --out data/room");
   app->callback([command, &action] { action = [command] { return run(*command); }; });

@@ -8,7 +8,6 @@ find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
 
 # Debian 12 and Ubuntu 22.04 ship Embree 3, Ubuntu 24.04 ships Embree 4.
 find_package(embree 4 QUIET)

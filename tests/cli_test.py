@@ -133,8 +133,23 @@ class Run(Recording):
         run = json.loads((self.out / "run.json").read_text())
         self.assertLess(run["evaluation"]["ate"]["max"], 0.05)
 
+    def test_an_association_list_replaces_the_rule_of_time(self):
+        self.run_data()
+        by_time = (self.out / "trajectory.tum").read_bytes()
+        pairs = list(zip(self.listed("rgb.txt"), self.listed("depth.txt")))
+        (self.data / "associations.txt").write_text("\n".join(" ".join(c + d) for c, d in pairs) + "\n")
+        (self.data / "depth.txt").unlink()
+        self.assertEqual(self.run_data().returncode, 0)
+        self.assertEqual((self.out / "trajectory.tum").read_bytes(), by_time)
+
+    def test_says_how_far_it_is_in_lines_where_there_is_no_terminal(self):
+        result = framewise("run", self.data, "--out", self.out)
+        lines = result.stderr.strip().splitlines()
+        self.assertLessEqual(len(lines), 10)
+        self.assertIn(f"{self.FRAMES} of {self.FRAMES} frames", lines[-1])
+        self.assertEqual(framewise("run", self.data, "--out", self.out, "--quiet").stderr, "")
+
     def test_a_frame_without_depth_says_so(self):
-        self.rewrite("depth.txt", lambda line: line)
         lines = (self.data / "depth.txt").read_text().splitlines()
         (self.data / "depth.txt").write_text("\n".join(lines[:-1]) + "\n")
         self.assertEqual(self.run_data().returncode, 0)
@@ -149,7 +164,6 @@ class Run(Recording):
         self.assertTrue((self.out / "run.json").exists())
 
     def test_one_frame_is_a_recording(self):
-        self.rewrite("rgb.txt", lambda line: line)
         first = self.listed("rgb.txt")[0]
         (self.data / "rgb.txt").write_text(" ".join(first) + "\n")
         result = self.run_data()
