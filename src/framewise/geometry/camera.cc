@@ -3,9 +3,10 @@
 #include "framewise/geometry/camera.h"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
+
+#include "framewise/geometry/lens_distortion.h"
 
 namespace framewise {
 namespace {
@@ -14,97 +15,6 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Jacobian = Eigen::Matrix<double, 2, 3>;
-
-// f(s) = 1 + c1 s + c2 s^2 + c3 s^3 + c4 s^4, s a squared radius or angle: what the distortion multiplies by.
-struct RadialPolynomial {
-  double c1 = 0, c2 = 0, c3 = 0, c4 = 0;
-
-  double value(double s) const { return 1 + s * (c1 + s * (c2 + s * (c3 + s * c4))); }
-  double derivative(double s) const { return c1 + s * (2 * c2 + s * (3 * c3 + s * 4 * c4)); }
-  // d (r f(r^2)) / dr
-  double growth(double s) const { return 1 + s * (3 * c1 + s * (5 * c2 + s * (7 * c3 + s * 9 * c4))); }
-
-  // Whether r f(r^2) grows all the way from the centre to r^2 = s; beyond a fold two rays share a pixel.
-  bool grows_until(double s) const {
-    constexpr int kSteps = 16;
-    for (int i = 1; i <= kSteps; ++i)
-      if (!(growth(s * i / kSteps) > 0)) return false;
-    return true;
-  }
-};
-
-RadialPolynomial brown_polynomial(const Camera& camera) {
-  const auto& d = camera.distortion;
-  return {d[0], d[1], d[4], 0};
-}
-
-RadialPolynomial fisheye_polynomial(const Camera& camera) {
-  const auto& d = camera.distortion;
-  return {d[0], d[1], d[2], d[3]};
-}
-
-struct Distorted {
-  Vector2d x;
-  Matrix2d J;  // d distorted / d undistorted
-};
-
-Distorted brown(const Camera& camera, const Vector2d& x) {
-  const RadialPolynomial f = brown_polynomial(camera);
-  const double p1 = camera.distortion[2], p2 = camera.distortion[3];
-  const double r2 = x.squaredNorm(), xy = x.x() * x.y();
-  const Vector2d tangential(2 * p1 * xy + p2 * (r2 + 2 * x.x() * x.x()),
-                            p1 * (r2 + 2 * x.y() * x.y()) + 2 * p2 * xy);
-  Matrix2d J_tangential;
-  J_tangential << 2 * p1 * x.y() + 6 * p2 * x.x(), 2 * p1 * x.x() + 2 * p2 * x.y(),  //
-      2 * p1 * x.x() + 2 * p2 * x.y(), 6 * p1 * x.y() + 2 * p2 * x.x();
-  return {f.value(r2) * x + tangential,
-          f.value(r2) * Matrix2d::Identity() + 2 * f.derivative(r2) * x * x.transpose() + J_tangential};
-}
-
-// Newton from the distorted point itself. The residual is squared every step; it has converged when it no
-// longer falls and is at rounding level.
-std::optional<Vector2d> undistort_brown(const Camera& camera, const Vector2d& distorted) {
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() * (1 + distorted.norm());
-  Vector2d x = distorted, best = x;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 30; ++i) {
-    const Distorted at = brown(camera, x);
-    const Vector2d residual = at.x - distorted;
-    const double size = residual.norm();
-    if (size < least) {
-      least = size;
-      best = x;
-    } else if (least <= rounding) {
-      break;
-    }
-    if (size == 0) break;
-    x -= at.J.inverse() * residual;
-  }
-  if (!(least <= rounding) || !brown_polynomial(camera).grows_until(best.squaredNorm()) ||
-      !(brown(camera, best).J.determinant() > 0))
-    return std::nullopt;
-  return best;
-}
-
-// theta f(theta^2) = r for theta in [0, pi].
-std::optional<double> undistort_fisheye(const RadialPolynomial& f, double r) {
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() * (1 + r);
-  double theta = r, best = r;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 30; ++i) {
-    const double residual = theta * f.value(theta * theta) - r;
-    if (std::abs(residual) < least) {
-      least = std::abs(residual);
-      best = theta;
-    } else if (least <= rounding) {
-      break;
-    }
-    if (residual == 0) break;
-    theta -= residual / f.growth(theta * theta);
-  }
-  if (!(least <= rounding) || best < 0 || best > M_PI || !f.grows_until(best * best)) return std::nullopt;
-  return best;
-}
 
 double azimuth_per_column(const Camera& camera) { return 2 * M_PI / camera.width; }
 double theta_per_row(const Camera& camera) {
@@ -115,8 +25,8 @@ std::optional<Vector2d> project_pinhole(const Camera& camera, const Vector3d& X)
   if (!(X.z() > 0)) return std::nullopt;
   Vector2d x = X.head<2>() / X.z();
   if (camera.is_distorted()) {
-    if (!brown_polynomial(camera).grows_until(x.squaredNorm())) return std::nullopt;
-    x = brown(camera, x).x;
+    if (!brown_polynomial(camera.distortion).grows_until(x.squaredNorm())) return std::nullopt;
+    x = distort_brown(camera.distortion, x).x;
   }
   return Vector2d(camera.fx * x.x() + camera.cx, camera.fy * x.y() + camera.cy);
 }
@@ -125,12 +35,12 @@ Jacobian pinhole_jacobian(const Camera& camera, const Vector3d& X) {
   const Vector2d x = X.head<2>() / X.z();
   Jacobian J;
   J << 1, 0, -x.x(), 0, 1, -x.y();
-  return Vector2d(camera.fx, camera.fy).asDiagonal() * brown(camera, x).J * J / X.z();
+  return Vector2d(camera.fx, camera.fy).asDiagonal() * distort_brown(camera.distortion, x).J * J / X.z();
 }
 
 std::optional<Vector2d> project_fisheye(const Camera& camera, const Vector3d& X) {
   const double rho = X.head<2>().norm(), theta = std::atan2(rho, X.z());
-  const RadialPolynomial f = fisheye_polynomial(camera);
+  const RadialPolynomial f = fisheye_polynomial(camera.distortion);
   // Straight behind, every direction about the axis is as good.
   if (!(X.squaredNorm() > 0) || (rho == 0 && X.z() < 0) || !f.grows_until(theta * theta)) return std::nullopt;
   const Vector2d x = rho == 0 ? Vector2d(0, 0) : Vector2d(theta * f.value(theta * theta) / rho * X.head<2>());
@@ -139,7 +49,7 @@ std::optional<Vector2d> project_fisheye(const Camera& camera, const Vector3d& X)
 
 Jacobian fisheye_jacobian(const Camera& camera, const Vector3d& X) {
   const double rho2 = X.head<2>().squaredNorm(), rho = std::sqrt(rho2), theta = std::atan2(rho, X.z());
-  const RadialPolynomial f = fisheye_polynomial(camera);
+  const RadialPolynomial f = fisheye_polynomial(camera.distortion);
   Jacobian J;
   if (rho < 1e-9 * X.z()) {  // on the axis the model is a pinhole
     J << 1 / X.z(), 0, 0, 0, 1 / X.z(), 0;
@@ -173,14 +83,14 @@ std::optional<Jacobian> equirectangular_jacobian(const Camera& camera, const Vec
 }
 
 std::optional<Bearing> bearing_pinhole(const Camera& camera, const Vector2d& distorted) {
-  const auto x = camera.is_distorted() ? undistort_brown(camera, distorted) : distorted;
+  const auto x = camera.is_distorted() ? undistort_brown(camera.distortion, distorted) : distorted;
   if (!x || !x->allFinite()) return std::nullopt;
   return x->homogeneous().normalized();
 }
 
 std::optional<Bearing> bearing_fisheye(const Camera& camera, const Vector2d& distorted) {
   const double r = distorted.norm();
-  const auto theta = undistort_fisheye(fisheye_polynomial(camera), r);
+  const auto theta = undistort_fisheye(camera.distortion, r);
   if (!theta) return std::nullopt;
   const Vector2d e = r > 0 ? Vector2d(distorted / r) : Vector2d(0, 0);
   return Bearing(std::sin(*theta) * e.x(), std::sin(*theta) * e.y(), std::cos(*theta));

@@ -138,14 +138,16 @@ void MeshBuilder::cushion(const Vector3f& corner, const Vector3f& size, const Ma
   const auto rounded = [](float c) { return std::copysign(std::pow(std::abs(c), 0.4f), c); };
   const int around = std::max(32, cells_along(2 * (size.x() + size.y()))),
             up = std::max(16, cells_along(2 * size.z()));
-  const float girth = 2 * (size.x() + size.y());
+  // (u, v) lie in the two longer directions.
+  int thin;
+  size.minCoeff(&thin);
+  const int across = thin == 0 ? 1 : 0, upward = thin == 2 ? 1 : 2;
   sheet(around + 1, up + 1, false, material, [&](float s, float t) {
     const float a = 2 * static_cast<float>(M_PI) * s, b = static_cast<float>(M_PI) * (t - 0.5f);
     const float ring = rounded(std::max(0.0f, std::cos(b)));
     const Vector3f x(ring * rounded(std::cos(a)), ring * rounded(std::sin(a)), rounded(std::sin(b)));
-    const Vector3f along = 0.5f * size.cwiseProduct(x);
-    return Vertex{
-        corner + 0.5f * size + along, {}, {s * girth, t * (size.z() + std::min(size.x(), size.y()))}, {}};
+    const Vector3f along = 0.5f * size.cwiseProduct(x + Vector3f::Ones());
+    return Vertex{corner + along, {}, {along[across], along[upward]}, {}};
   });
 }
 
