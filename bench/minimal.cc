@@ -6,15 +6,18 @@
 //   bench_minimal [problems = 100000] [name filter]
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "framewise/solvers/abspose_p3p.h"
 #include "framewise/solvers/problems_for_tests.h"
+#include "framewise/solvers/relpose_upright_3pt.h"
+#include "framewise/solvers/relrot_5pt_kneip.h"
 #include "framewise/solvers/rotation_2pt.h"
+#include "framewise/solvers/rotation_eigensolver.h"
 #include "framewise/solvers/rotation_npt.h"
 #include "framewise/solvers/translation_2pt.h"
 #include "framewise/solvers/translation_npt.h"
@@ -84,13 +87,12 @@ void row(const std::string& name, const char* kind, const std::vector<Problem>& 
          Error error) {
   if (name.find(g_filter) == std::string::npos) return;
   std::size_t failures = 0;
-  double worst = 0, solutions = 0;
+  double worst = 0;
   for (const Problem& problem : all) {
     const double e = error(solve(problem), problem);
     failures += !(e < 1e-4);
     if (e < 1e-4) worst = std::max(worst, e);
   }
-  (void)solutions;
   const std::size_t batch = std::min<std::size_t>(all.size(), 2000);
   std::vector<double> times;
   for (int repeat = 0; repeat < 11; ++repeat) {
@@ -233,6 +235,100 @@ void p3p(Scene scene, const char* kind) {
 #endif
 }
 
+// Five bearings, rotations only.
+void kneip(Scene scene, const char* kind) {
+  const auto judge = [](const auto& rotations, const Problem& p) {
+    double best = M_PI;
+    for (const Eigen::Matrix3d& R : rotations) best = std::min(best, rotation_error(R, p.truth.R));
+    return best;
+  };
+  const auto all = problems(scene, 5, g_count);
+  row(
+      "relrot_5pt_kneip", kind, all,
+      [](const Problem& p) { return framewise::relrot_5pt_kneip(first<5>(p.x1), first<5>(p.x2)); }, judge);
+#ifdef FRAMEWISE_BENCH_OPENGV
+  const std::vector<Problem> some(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 10));
+  row(
+      "opengv fivept_kneip", kind, some,
+      [](const Problem& p) {
+        opengv::relative_pose::CentralRelativeAdapter adapter(p.f1, p.f2);
+        std::vector<Eigen::Matrix3d> rotations;
+        for (const auto& R : opengv::relative_pose::fivept_kneip(adapter, {0, 1, 2, 3, 4}))
+          rotations.push_back(R.transpose());
+        return rotations;
+      },
+      judge);
+#endif
+}
+
+// Both start from the identity.
+void eigensolver(Scene scene, const char* kind) {
+  for (const std::size_t n : {10, 100}) {
+    const auto judge = [](const auto& R, const Problem& p) {
+      return R ? rotation_error(*R, p.truth.R) : M_PI;
+    };
+    const auto all = problems(scene, n, g_count / (n / 10));
+    row(
+        "rotation_eigensolver " + std::to_string(n), kind, all,
+        [](const Problem& p) -> std::optional<Eigen::Matrix3d> {
+          const auto s =
+              framewise::rotation_eigensolver(p.x1, p.x2, Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+          return s ? std::optional(s->R) : std::nullopt;
+        },
+        judge);
+#ifdef FRAMEWISE_BENCH_OPENGV
+    const std::vector<Problem> some(
+        all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(all.size(), 10000)));
+    row(
+        "opengv eigensolver " + std::to_string(n), kind, some,
+        [](const Problem& p) {
+          opengv::relative_pose::CentralRelativeAdapter adapter(p.f1, p.f2, opengv::rotation_t::Identity());
+          return std::optional<Eigen::Matrix3d>(opengv::relative_pose::eigensolver(adapter).transpose());
+        },
+        judge);
+#endif
+  }
+}
+
+// The cameras' y axes turned onto gravity (its direction in camera 1: within 60 degrees of down).
+void upright(Scene scene, const char* kind) {
+  auto all = problems(scene, 3, g_count);
+  Random random(9);
+  for (Problem& p : all) {
+    const Bearing gravity1 = (Bearing::UnitY() + 0.8 * random.direction()).normalized();
+    const auto level = [](const Bearing& gravity) {
+      return Eigen::Quaterniond::FromTwoVectors(gravity, Bearing::UnitY()).toRotationMatrix();
+    };
+    const Eigen::Matrix3d level1 = level(gravity1), level2 = level(p.truth.R * gravity1);
+    for (int i = 0; i < 3; ++i) p.x1[i] = level1 * p.x1[i], p.x2[i] = level2 * p.x2[i];
+    p.truth = {level2 * p.truth.R * level1.transpose(), level2 * p.truth.t};
+  }
+  const auto judge = [](const auto& poses, const Problem& p) {
+    double best = M_PI;
+    for (const auto& pose : poses)
+      best = std::min(best, std::max(rotation_error(pose.R, p.truth.R), direction_error(pose.t, p.truth.t)));
+    return best;
+  };
+  row(
+      "relpose_upright_3pt", kind, all,
+      [](const Problem& p) { return framewise::relpose_upright_3pt(first<3>(p.x1), first<3>(p.x2)); }, judge);
+#ifdef FRAMEWISE_BENCH_POSELIB
+  row(
+      "poselib relpose_upright_3pt", kind, all,
+      [](const Problem& p) {
+        thread_local std::vector<poselib::CameraPose> poses;
+        poses.clear();
+        poselib::relpose_upright_3pt(p.x1, p.x2, &poses);
+        return &poses;
+      },
+      [&](const auto* poses, const Problem& p) {
+        std::vector<Pose> converted;
+        for (const auto& pose : *poses) converted.push_back({pose.R(), pose.t});
+        return judge(converted, p);
+      });
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -242,4 +338,7 @@ int main(int argc, char** argv) {
   for (const auto& [scene, kind] : kinds) translation(scene, kind);
   rotation();
   for (const auto& [scene, kind] : kinds) p3p(scene, kind);
+  for (const auto& [scene, kind] : kinds) upright(scene, kind);
+  for (const auto& [scene, kind] : kinds) kneip(scene, kind);
+  for (const auto& [scene, kind] : kinds) eigensolver(scene, kind);
 }
