@@ -11,16 +11,24 @@ namespace framewise {
 namespace {
 
 namespace portable {
-#include "framewise/solvers/refine_kernels.inc"
-}
+// clang-format off
+#include "framewise/solvers/refine_lanes.inc"
+#include "framewise/solvers/refine_kernels_epipolar.inc"
+#include "framewise/solvers/refine_kernels_points.inc"
+// clang-format on
+}  // namespace portable
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define FRAMEWISE_HAS_AVX2_KERNELS
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace avx2 {
-#include "framewise/solvers/refine_kernels.inc"
-}
+// clang-format off
+#include "framewise/solvers/refine_lanes.inc"
+#include "framewise/solvers/refine_kernels_epipolar.inc"
+#include "framewise/solvers/refine_kernels_points.inc"
+// clang-format on
+}  // namespace avx2
 #pragma GCC pop_options
 #endif
 

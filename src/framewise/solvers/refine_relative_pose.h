@@ -38,8 +38,10 @@ RelativePoseRefinement refine_relative_pose(const Pose& initial, const PointColu
                                             EpipolarResidual residual = EpipolarResidual::kSampson);
 
 // Information about the direction of t that mere image noise would feign (1/rad^2), along the way the points
-// know least: what direction_information tends to where there is no parallax at all. A direction is known
-// only where direction_information is several times this.
+// know least: what direction_information tends to, or stays below, where there is no parallax at all. Where
+// direction_information is less than twice this, neither direction nor covariance can be trusted; from four
+// times on the covariance is honest for points in depth. Points on a plane, which fit a second motion nearly
+// as well, need some sixty times.
 double noise_information(const Pose& pose, const PointColumns& ray_pairs, const RefineOptions& options = {});
 
 }  // namespace framewise

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/solvers/refine_rgbd_pair.h"
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -35,40 +34,40 @@ void fill_rgbd_pair(RgbdColumns& columns, std::span<const Eigen::Vector3d> x1, s
   noise.check();
   const std::size_t rows = subset.empty() ? x1.size() : subset.size();
   const auto index = [&](std::size_t row) { return subset.empty() ? row : subset[row]; };
-  const auto kind = [&](std::size_t i) { return (has_depth(z1[i]) ? 2 : 0) + (has_depth(z2[i]) ? 1 : 0); };
-  std::array<std::size_t, 4> count = {};
+  const auto both = [&](std::size_t i) { return has_depth(z1[i]) && has_depth(z2[i]); };
+  std::size_t num_both = 0, num_first = 0, num_second = 0;
   for (std::size_t row = 0; row < rows; ++row) {
-    if (index(row) >= x1.size())
-      throw std::invalid_argument("subset holds " + std::to_string(index(row)) + ", expected less than " +
+    const std::size_t i = index(row);
+    if (i >= x1.size())
+      throw std::invalid_argument("subset holds " + std::to_string(i) + ", expected less than " +
                                   std::to_string(x1.size()));
-    ++count[kind(index(row))];
+    num_both += both(i);
+    num_first += !both(i) && has_depth(z1[i]);
+    num_second += !both(i) && has_depth(z2[i]);
   }
-  columns.none.reset(count[0], 7);
-  columns.second.reset(count[1], 13);
-  columns.first.reset(count[2], 13);
-  columns.both.reset(count[3], 19);
-  std::array<std::size_t, 4> next = {};
+  columns.both.reset(num_both, 19);
+  columns.first.reset(num_first, 13);
+  columns.second.reset(num_second, 13);
+  columns.none.reset(rows - num_both - num_first - num_second, 7);
+
+  std::size_t next_both = 0, next_first = 0, next_second = 0, next_none = 0;
   for (std::size_t row = 0; row < rows; ++row) {
     const std::size_t i = index(row);
     const Eigen::Vector3d a = on_surface("x1", x1[i], ImageSurface::kPlane);
     const Eigen::Vector3d b = on_surface("x2", x2[i], ImageSurface::kPlane);
-    const int has = kind(i);
-    const std::size_t at = next[has]++;
-    PointColumns* const sorted[4] = {&columns.none, &columns.second, &columns.first, &columns.both};
-    if (has == 0) {
-      columns.none.set3(at, 1, a.x(), a.y(), a.z());
-      columns.none.set3(at, 4, b.x(), b.y(), b.z());
-      continue;
+    if (both(i)) {
+      set_point(columns.both, next_both, 1, a, z1[i], noise, image_sigma);
+      set_point(columns.both, next_both++, 10, b, z2[i], noise, image_sigma);
+    } else if (has_depth(z1[i])) {
+      set_point(columns.first, next_first, 1, a, z1[i], noise, image_sigma);
+      columns.first.set3(next_first++, 10, b.x(), b.y(), b.z());
+    } else if (has_depth(z2[i])) {
+      set_point(columns.second, next_second, 1, b, z2[i], noise, image_sigma);
+      columns.second.set3(next_second++, 10, a.x(), a.y(), a.z());
+    } else {
+      columns.none.set3(next_none, 1, a.x(), a.y(), a.z());
+      columns.none.set3(next_none++, 4, b.x(), b.y(), b.z());
     }
-    PointColumns& c = *sorted[has];
-    if (has & 2)
-      set_point(c, at, 1, a, z1[i], noise, image_sigma);
-    else
-      set_point(c, at, 1, b, z2[i], noise, image_sigma);
-    if (has == 3)
-      set_point(c, at, 10, b, z2[i], noise, image_sigma);
-    else
-      c.set3(at, 10, (has == 2 ? b : a).x(), (has == 2 ? b : a).y(), 1);
   }
 }
 
