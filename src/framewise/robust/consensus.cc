@@ -19,13 +19,6 @@ constexpr double kCut = 3.2;        // sigmas; Gaussian noise loses 0.14 % of it
 constexpr double kFarParallax = 4;  // times the parallax that nine in ten of the members stay below
 constexpr double kMedianToSigma = 1 / 0.6745;
 
-double distance(const TwoViews& views, const Pose& pose, std::size_t i) {
-  const bool plane = views.surface == ImageSurface::kPlane;
-  const Bearing &a = views.x1[i], &b = views.x2[i];
-  return std::abs(plane ? sampson_residual(pose, a / a.z(), b / b.z(), views.surface)
-                        : sampson_residual(pose, a, b, views.surface));
-}
-
 double quantile(std::vector<double> values, double q) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
@@ -38,7 +31,7 @@ void choose_members(const TwoViews& views, const Pose& pose, double max_distance
   std::vector<double> parallaxes;
   const double unsure = 2 * max_error;  // a parallax this small may have either sign
   for (std::uint32_t i = 0; i < views.x1.size(); ++i) {
-    if (!(distance(views, pose, i) < max_distance)) continue;
+    if (!(epipolar_distance(views, pose, i) < max_distance)) continue;
     const double parallax = (pose.R * views.x1[i]).cross(views.x2[i]).norm();
     if (parallax > unsure && !in_front_of_both(pose, views.x1[i], views.x2[i])) continue;
     members.push_back(i);
@@ -55,12 +48,19 @@ void choose_members(const TwoViews& views, const Pose& pose, double max_distance
 
 double noise_of(const TwoViews& views, const Pose& pose, std::span<const std::uint32_t> members) {
   std::vector<double> distances;
-  for (const std::uint32_t i : members) distances.push_back(distance(views, pose, i));
+  for (const std::uint32_t i : members) distances.push_back(epipolar_distance(views, pose, i));
   constexpr double kLeast = 1e-9;  // exact data have no noise to divide by
   return std::max(kMedianToSigma * quantile(distances, 0.5), kLeast);
 }
 
 }  // namespace
+
+double epipolar_distance(const TwoViews& views, const Pose& pose, std::size_t i) {
+  const bool plane = views.surface == ImageSurface::kPlane;
+  const Bearing &a = views.x1[i], &b = views.x2[i];
+  return std::abs(plane ? sampson_residual(pose, a / a.z(), b / b.z(), views.surface)
+                        : sampson_residual(pose, a, b, views.surface));
+}
 
 Consensus find_consensus(const TwoViews& views, const Pose& start, double max_error) {
   Consensus consensus;
@@ -89,18 +89,24 @@ Consensus find_consensus(const TwoViews& views, const Pose& start, double max_er
   return consensus;
 }
 
-Pose choose_by_parallax(const TwoViews& views, const Pose& pose, double max_residual, double max_error) {
+FrontVote choose_by_parallax(const TwoViews& views, const Pose& pose, double max_residual, double max_error) {
   const auto poses = decompose_essential(essential_from_pose(pose));
   std::array<double, 4> votes{};
+  double sum = 0;
   for (std::size_t i = 0; i < views.x1.size(); ++i) {
-    if (!(distance(views, pose, i) < max_residual)) continue;
+    if (!(epipolar_distance(views, pose, i) < max_residual)) continue;
+    double most = 0;
     for (std::size_t k = 0; k < poses.size(); ++k) {
+      if (!in_front_of_both(poses[k], views.x1[i], views.x2[i])) continue;
       const double parallax = (poses[k].R * views.x1[i]).cross(views.x2[i]).norm();
-      if (in_front_of_both(poses[k], views.x1[i], views.x2[i]))
-        votes[k] += std::min(1.0, parallax / max_error);
+      const double weight = std::min(1.0, parallax / max_error);
+      votes[k] += weight;
+      most = std::max(most, weight);
     }
+    sum += most;
   }
-  return poses[static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin())];
+  const auto best = std::max_element(votes.begin(), votes.end());
+  return {poses[static_cast<std::size_t>(best - votes.begin())], sum > 0 ? *best / sum : 0};
 }
 
 }  // namespace framewise

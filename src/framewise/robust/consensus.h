@@ -36,6 +36,13 @@ Consensus find_consensus(const TwoViews& views, const Pose& start, double max_er
 
 // Of the four poses with the same essential matrix the one with most of the members in front of both cameras,
 // each with the weight of its parallax up to max_error: the sign of a smaller one is noise.
-Pose choose_by_parallax(const TwoViews& views, const Pose& pose, double max_residual, double max_error);
+struct FrontVote {
+  Pose pose;
+  double share = 0;  // of the weights
+};
+FrontVote choose_by_parallax(const TwoViews& views, const Pose& pose, double max_residual, double max_error);
+
+// Sampson's distance (pixels / focal length, or rad).
+double epipolar_distance(const TwoViews& views, const Pose& pose, std::size_t i);
 
 }  // namespace framewise

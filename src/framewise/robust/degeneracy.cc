@@ -15,7 +15,7 @@
 namespace framewise {
 namespace {
 
-constexpr double kWorstDirection = 10 * M_PI / 180;
+constexpr double kWorstDirection = 6 * M_PI / 180;
 
 struct RotationFit {
   Eigen::Matrix3d R;
@@ -57,19 +57,24 @@ bool direction_is_known(const TwoViews& views, const Consensus& consensus) {
 
 }  // namespace
 
-Support what_data_support(const TwoViews& views, const Consensus& consensus) {
+bool is_mere_noise(double chi_squared, double n) {
+  // chi_squared has mean 2n and variance 4n; that of the noise level adds 8n.
+  return chi_squared < 2 * n + 4 * std::sqrt(12 * n);
+}
+
+Support what_data_support(const TwoViews& views, const Settled& settled) {
+  const Consensus& consensus = settled.consensus;
   Support support{EstimateKind::kFull, consensus.refined.pose, consensus.refined.covariance};
   const double n = static_cast<double>(consensus.members.size());
   const double variance =
       consensus.sigma * consensus.sigma * std::max(consensus.refined.cost / (n - 5), 1e-3);
   const auto rotation = fit_rotation(views, consensus, variance);
-  // chi_squared has mean 2n and variance 4n; that of the noise level adds 8n.
-  if (rotation && rotation->chi_squared < 2 * n + 4 * std::sqrt(12 * n)) {
+  if (rotation && is_mere_noise(rotation->chi_squared, n)) {
     support.kind = EstimateKind::kRotationOnly;
     support.pose = {rotation->R, Eigen::Vector3d::Zero()};
     support.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
     support.covariance.topLeftCorner<3, 3>() = rotation->covariance;
-  } else if (!direction_is_known(views, consensus)) {
+  } else if (settled.ambiguous || !direction_is_known(views, consensus)) {
     support.kind = EstimateKind::kLowParallax;
   }
   return support;

@@ -7,6 +7,7 @@
 #include "framewise/solvers/decompose_essential.h"
 #include "framewise/solvers/essential_8pt.h"
 #include "framewise/solvers/relrot_5pt_kneip.h"
+#include "framewise/solvers/rotation_eigensolver.h"
 #include "framewise/solvers/translation_2pt.h"
 #include "framewise/solvers/translation_npt.h"
 
@@ -55,7 +56,7 @@ std::size_t epipolar_sample_size(RelativePoseSolver solver) {
     case RelativePoseSolver::kSevenPoint:
       return 7;
     case RelativePoseSolver::kEigensolver:
-      return 5;
+      return 10;
     case RelativePoseSolver::kTwoPoint:
       return 2;
     case RelativePoseSolver::kNister5pt:
@@ -79,6 +80,11 @@ void solve_epipolar(const RelativePoseOptions& options, std::span<const Bearing>
     case RelativePoseSolver::kNister5pt:
     case RelativePoseSolver::kStewenius5pt:
     case RelativePoseSolver::kEigensolver:
+      return with_sample<10>(options, x1, x2, sample, models,
+                             [](const auto& a, const auto& b, const Sink& sink) {
+                               if (const auto found = rotation_eigensolver(a, b))
+                                 sink.add(Pose{found->R, found->t});
+                             });
     case RelativePoseSolver::kKneip5ptRotation:
       return with_sample<5>(options, x1, x2, sample, models,
                             [](const auto& a, const auto& b, const Sink& sink) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/robust/relative_pose.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "framewise/robust/degeneracy.h"
 #include "framewise/robust/epipolar_problem.h"
 #include "framewise/robust/ransac.h"
+#include "framewise/robust/rival_minima.h"
 #include "framewise/robust/translation.h"
 #include "framewise/solvers/decompose_essential.h"
 
@@ -23,7 +25,7 @@ constexpr char kDoor[] = "estimate_relative_pose";
 Pose pose_of(const EpipolarModel& model, const TwoViews& views, const RelativePoseOptions& options) {
   if (options.measure == InlierMeasure::kReprojection) return model.pose;
   Pose pose = decompose_essential(model.E)[0];
-  pose = choose_by_parallax(views, pose, options.max_error, options.max_error);
+  pose = choose_by_parallax(views, pose, options.max_error, options.max_error).pose;
   if (options.measure == InlierMeasure::kBearingEuclidean) pose.R = model.pose.R;
   return pose;
 }
@@ -44,6 +46,7 @@ void RelativePoseOptions::check() const {
   ransac.check();
   check_positive(kDoor, "max_error", max_error);
   check_positive(kDoor, "min_inliers", min_inliers);
+  check_positive(kDoor, "refinement_error", refinement_error);
   if (solver == RelativePoseSolver::kTwoPoint && !rotation) {
     throw std::invalid_argument(
         "estimate_relative_pose: rotation is missing, expected it for the two-point solver");
@@ -75,13 +78,15 @@ std::optional<Estimate> estimate_relative_pose(std::span<const Bearing> x1, std:
   Pose pose = pose_of(found->model, views, options);
   estimate.cam2_from_cam1 = pose;
   if (options.final_refinement) {
-    const Consensus consensus = find_consensus(views, pose, options.max_error);
+    const double widest = std::min(options.max_error, options.refinement_error);
+    const Consensus consensus = find_consensus(views, pose, widest);
     if (!consensus.members.empty()) {
-      const Support support = what_data_support(views, consensus);
+      const Settled settled = settle_minimum(views, consensus, widest);
+      const Support support = what_data_support(views, settled);
       estimate.cam2_from_cam1 = support.pose;
       estimate.covariance = support.covariance;
       estimate.kind = support.kind;
-      pose = consensus.refined.pose;
+      pose = settled.consensus.refined.pose;
     }
   }
   mark_inliers(estimate, problem, pose, options.max_error);

@@ -35,7 +35,9 @@ struct RelativePoseOptions {
   double max_error = 2.0 / 525;             // of an inlier: pixels / focal length, or rad
   int min_inliers = 12;                     // fewer are no answer
   std::optional<Eigen::Matrix3d> rotation;  // cam2_from_cam1, for the two-point solver
-  bool final_refinement = true;             // least squares on all inliers at the noise they show
+  // Sampson's distance that the final refinement starts from; the inlier measure may be far coarser.
+  double refinement_error = 2.0 / 525;
+  bool final_refinement = true;  // least squares on all inliers at the noise they show
   // Throws std::invalid_argument naming the field that makes no sense.
   void check() const;
 };

@@ -5,12 +5,14 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include "framewise/geometry/epipolar.h"
 #include "framewise/robust/bearings.h"
 #include "framewise/robust/correspondences_check.h"
+#include "framewise/robust/degeneracy.h"
 #include "framewise/robust/epipolar_problem.h"
 #include "framewise/robust/ransac.h"
 #include "framewise/solvers/translation_npt.h"
@@ -19,7 +21,7 @@ namespace framewise {
 namespace {
 
 constexpr char kDoor[] = "estimate_translation";
-constexpr double kWorstDirection = 10 * M_PI / 180;
+constexpr double kWorstDirection = 6 * M_PI / 180;
 
 // Least squares on the inliers; the weights turn the algebraic residual into Sampson's distance.
 std::optional<Eigen::Vector3d> refit(const EpipolarProblem& problem, std::span<const Bearing> x1,
@@ -38,15 +40,19 @@ std::optional<Eigen::Vector3d> refit(const EpipolarProblem& problem, std::span<c
   return translation_npt(a, b, pose.R, weights);
 }
 
-// Of the direction of t, from the inliers and the noise that they show.
-Eigen::Matrix3d direction_covariance(std::span<const Bearing> x1, std::span<const Bearing> x2,
-                                     const Estimate& estimate, ImageSurface surface) {
+struct DirectionFit {
+  Eigen::Matrix3d covariance;       // of the direction of t, at the noise that the inliers show
+  double parallax_chi_squared = 0;  // of x2 - R x1
+};
+DirectionFit fit_direction(std::span<const Bearing> x1, std::span<const Bearing> x2, const Estimate& estimate,
+                           ImageSurface surface) {
   const Pose& pose = estimate.cam2_from_cam1;
   const Eigen::Matrix<double, 3, 2> B = sphere_tangent(pose.t);
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
-  double squares = 0;
+  double squares = 0, parallaxes = 0;
   for (std::size_t i = 0; i < x1.size(); ++i) {
     if (!estimate.inliers[i]) continue;
+    parallaxes += (pose.R * x1[i] - x2[i]).squaredNorm();
     const bool plane = surface == ImageSurface::kPlane;
     Jacobian16 J;
     const double r = sampson_residual(pose, plane ? Eigen::Vector3d(x1[i] / x1[i].z()) : x1[i],
@@ -56,7 +62,7 @@ Eigen::Matrix3d direction_covariance(std::span<const Bearing> x1, std::span<cons
     squares += r * r;
   }
   const double variance = squares / static_cast<double>(std::max<std::size_t>(estimate.num_inliers, 3) - 2);
-  return B * (variance * information.inverse()) * B.transpose();
+  return {B * (variance * information.inverse()) * B.transpose(), parallaxes / (2 * variance)};
 }
 
 }  // namespace
@@ -104,11 +110,17 @@ std::optional<Estimate> estimate_translation(std::span<const Bearing> x1, std::s
   estimate.score = found->tally.cost;
   estimate.iterations = found->iterations;
   estimate.iterations_theory = found->iterations_theory;
-  const Eigen::Matrix3d covariance = direction_covariance(unit1, unit2, estimate, problem.surface());
+  const DirectionFit fit = fit_direction(unit1, unit2, estimate, problem.surface());
   estimate.covariance.setZero();
-  estimate.covariance.bottomRightCorner<3, 3>() = covariance;
-  const double worst = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues()[2];
-  if (!(worst < kWorstDirection * kWorstDirection)) estimate.kind = EstimateKind::kLowParallax;
+  estimate.covariance.bottomRightCorner<3, 3>() = fit.covariance;
+  const double worst = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(fit.covariance).eigenvalues()[2];
+  if (is_mere_noise(fit.parallax_chi_squared, static_cast<double>(estimate.num_inliers))) {
+    estimate.kind = EstimateKind::kRotationOnly;
+    pose.t.setZero();
+    estimate.covariance.bottomRightCorner<3, 3>().setConstant(std::numeric_limits<double>::quiet_NaN());
+  } else if (!(worst < kWorstDirection * kWorstDirection)) {
+    estimate.kind = EstimateKind::kLowParallax;
+  }
   return estimate;
 }
 

@@ -16,6 +16,7 @@
 #include "framewise/solvers/essential_8pt.h"
 #include "framewise/solvers/refine_relative_pose.h"
 #include "framewise/solvers/relrot_5pt_kneip.h"
+#include "framewise/solvers/rotation_eigensolver.h"
 #include "framewise/solvers/translation_2pt.h"
 
 namespace framewise {
@@ -61,6 +62,8 @@ std::vector<Pose> solutions(RelativePoseSolver solver, std::span<const Bearing> 
       if (x1.size() >= 8) add_essential(essential_8pt(x1, x2), x1, x2, poses);
       break;
     case RelativePoseSolver::kEigensolver:
+      if (const auto found = rotation_eigensolver(x1, x2)) poses.push_back({found->R, found->t});
+      break;
     case RelativePoseSolver::kKneip5ptRotation:
       if (x1.size() >= 5 && x1.size() <= 8) add_kneip(x1, x2, poses);
       break;
