@@ -156,8 +156,8 @@ Eigen::Vector3d unit(const Eigen::Vector3d& v, double inverse_length) {
 }
 
 // Frame of a triangle: unit vectors along edge a, in the triangle's plane, and along its normal a x b.
-Eigen::Matrix3d frame(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double inverse_length,
-                      double inverse_double_area) {
+inline Eigen::Matrix3d frame(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double inverse_length,
+                             double inverse_double_area) {
   Eigen::Matrix3d F;
   F.col(0) = unit(a, inverse_length);
   F.col(2) = unit(a.cross(b), inverse_double_area);

@@ -12,19 +12,29 @@ namespace {
 
 using Three = std::array<Bearing, 3>;
 
-// Turn about y by the angle of the vector (c, s).
-Eigen::Matrix3d turn(double c, double s) {
-  const double inverse = 1 / std::sqrt(c * c + s * s);
-  c *= inverse, s *= inverse;
-  Eigen::Matrix3d R;
-  R << c, 0, s, 0, 1, 0, -s, 0, c;
-  return R;
-}
+// A turn about the y axis.
+struct Turn {
+  double c, s;  // cosine and sine
+
+  Eigen::Vector3d operator*(const Eigen::Vector3d& x) const {
+    return {c * x.x() + s * x.z(), x.y(), c * x.z() - s * x.x()};
+  }
+  Turn operator*(const Turn& first) const { return {c * first.c - s * first.s, c * first.s + s * first.c}; }
+  Eigen::Matrix3d matrix() const {
+    Eigen::Matrix3d R;
+    R << c, 0, s, 0, 1, 0, -s, 0, c;
+    return R;
+  }
+  static Turn from_half_tangent(double q) {
+    const double scale = 1 / (1 + q * q);
+    return {(1 - q * q) * scale, 2 * q * scale};
+  }
+};
 
 // The turn about y that takes the bearings x1 nearest to x2, and how near: what a baseline of this size can
 // hide.
 struct NearestTurn {
-  Eigen::Matrix3d R;
+  Turn R;
   Three f;       // R x1
   double scale;  // rad, of half the turns still to be expected
 
@@ -34,7 +44,8 @@ struct NearestTurn {
       cosine += x1[i].x() * x2[i].x() + x1[i].z() * x2[i].z();
       sine += x1[i].z() * x2[i].x() - x1[i].x() * x2[i].z();
     }
-    R = turn(cosine, sine);
+    const double inverse = 1 / std::sqrt(cosine * cosine + sine * sine);
+    R = {cosine * inverse, sine * inverse};
     for (int i = 0; i < 3; ++i) {
       f[i] = R * x1[i];
       rest += (x2[i] - f[i]).squaredNorm();
@@ -106,17 +117,19 @@ Hypotheses<double, 4> roots_of(const std::array<double, 5>& c) {
 }
 
 // The direction orthogonal to the three normals, from the two that determine it best; zero when none do.
-Eigen::Vector3d direction(const Three& x1, const Three& x2, const Eigen::Matrix3d& R) {
+Eigen::Vector3d direction(const Three& x1, const Three& x2, const Turn& R) {
   Eigen::Vector3d n[3], parallax = Eigen::Vector3d::Zero();
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d h = R * x1[i];
     n[i] = h.cross(x2[i]);
     parallax += x2[i] - h;
   }
-  Eigen::Vector3d best = n[0].cross(n[1]);
-  for (const Eigen::Vector3d& t : {Eigen::Vector3d(n[1].cross(n[2])), Eigen::Vector3d(n[2].cross(n[0]))})
-    if (t.squaredNorm() > best.squaredNorm()) best = t;
-  const double norm = best.norm();
+  const Eigen::Vector3d candidates[3] = {n[0].cross(n[1]), n[1].cross(n[2]), n[2].cross(n[0])};
+  const double norms2[3] = {candidates[0].squaredNorm(), candidates[1].squaredNorm(),
+                            candidates[2].squaredNorm()};
+  const int first = norms2[1] > norms2[0], k = norms2[2] > norms2[first] ? 2 : first;
+  const Eigen::Vector3d& best = candidates[k];
+  const double norm = std::sqrt(norms2[k]);
   if (!(norm > 1e-28)) return Eigen::Vector3d::Zero();
   // t.(x2 - R x1) = (lambda1 + lambda2) (1 - cos(parallax)): every point in front says plus.
   return best * std::copysign(1 / norm, best.dot(parallax));
@@ -131,10 +144,9 @@ Hypotheses<Pose, 4> relpose_upright_3pt(const Three& x1, const Three& x2) {
   const Normals normals(nearest, x2);
   for (const double root : roots_of(normals.determinant())) {
     const double q = nearest.scale * normals.polish(root);
-    Pose pose;
-    pose.R = turn(1 - q * q, 2 * q) * nearest.R;
-    pose.t = direction(x1, x2, pose.R);
-    if (pose.t.squaredNorm() > 0.5) poses.push_back(pose);
+    const Turn R = Turn::from_half_tangent(q) * nearest.R;
+    const Eigen::Vector3d t = direction(x1, x2, R);
+    if (t.squaredNorm() > 0.5) poses.push_back({R.matrix(), t});
   }
   return poses;
 }
