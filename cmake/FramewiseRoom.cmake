@@ -4,13 +4,16 @@
 # framewise_room(NAME DEPENDS targets...): a folder is a room, and a room is one library.
 # Every foo.cc in the folder belongs to the room; every foo_test.cc belongs to its test program.
 # A room of headers alone is an interface library.
+#
+# With FRAMEWISE_PRECOMPILED_HEADERS what most sources of a room include is read once. Sources that are compiled for
+# several instruction sets see none of it: code for newer processors must not leak into shared inline functions.
 include(GNUInstallDirs)
 if(FRAMEWISE_BUILD_TESTS)
   include(GoogleTest)
 endif()
 
 function(framewise_room name)
-  cmake_parse_arguments(ROOM "" "" "DEPENDS;PRIVATE_DEPENDS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "DEPENDS;PRIVATE_DEPENDS;TEST_DEPENDS;PRECOMPILE;SEVERAL_INSTRUCTION_SETS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cc)
   file(GLOB tests CONFIGURE_DEPENDS *_test.cc)
   if(tests)
@@ -33,6 +36,11 @@ function(framewise_room name)
   target_include_directories(${target} ${scope}
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} ${scope} ${ROOM_DEPENDS})
+
+  if(FRAMEWISE_PRECOMPILED_HEADERS AND sources AND ROOM_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${ROOM_PRECOMPILE})
+    set_source_files_properties(${ROOM_SEVERAL_INSTRUCTION_SETS} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  endif()
 
   install(TARGETS ${target} EXPORT FramewiseTargets)
   install(DIRECTORY ./ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/framewise/${name}
