@@ -18,8 +18,9 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr int kTile = 32;
-// Neighbours that differ by more than this (of 255) are drawn with more rays.
-constexpr int kContrast = 20;
+// Neighbours that differ by more than this (of 255) are drawn with more rays: at the border of two surfaces,
+// and within one, where the texture is filtered already.
+constexpr int kContrastOfSurfaces = 12, kContrastOfTexture = 40;
 // A grid of four samples turned so that no two share a row or column (pixels from the centre).
 constexpr float kSamples[4][2] = {{-0.125f, -0.375f}, {0.375f, -0.125f}, {-0.375f, 0.125f}, {0.125f, 0.375f}};
 
@@ -42,6 +43,12 @@ class DisplayCurve {
   std::array<float, kSize> table_;
 };
 
+// What the first pass leaves for the second.
+struct Centres {
+  cv::Mat color;     // CV_8UC3
+  cv::Mat triangle;  // CV_32S
+};
+
 struct View {
   const RayTracer& tracer;
   const RgbdOptions& options;
@@ -53,6 +60,12 @@ struct View {
   const DisplayCurve& display;
 
   Vector3f ray_in_cam(int u, int v) const { return rays_in_cam[v * options.camera.width + u]; }
+
+  bool is_one_surface(int triangle1, int triangle2) const {
+    const auto& materials = tracer.scene().material_of_triangle;
+    return triangle1 == triangle2 ||
+           (triangle1 >= 0 && triangle2 >= 0 && materials[triangle1] == materials[triangle2]);
+  }
 
   // The ray beside a pixel's centre, from the rays of its neighbours.
   Vector3f ray_in_cam(int u, int v, const float (&offset)[2]) const {
@@ -85,7 +98,8 @@ cv::Vec3b to_bytes(const Color& display) {
 
 // First pass: one ray through the centre of each pixel gives depth and a colour. Rays go in packets of 4 x 2
 // pixels.
-void trace_centres(const View& view, int u0, int v0, cv::Mat& color, cv::Mat& depth) {
+void trace_centres(const View& view, int u0, int v0, Centres& centres, cv::Mat& depth) {
+  cv::Mat& color = centres.color;
   Rays8 rays;
   std::array<Vector3f, 8> directions;
   for (int i = 0; i < 8; ++i) {
@@ -103,6 +117,7 @@ void trace_centres(const View& view, int u0, int v0, cv::Mat& color, cv::Mat& de
     const int u = u0 + i % 4, v = v0 + i / 4;
     if (u >= color.cols || v >= color.rows || hits.triangle[i] == kNoHit) continue;
     color.at<cv::Vec3b>(v, u) = to_bytes(shade(view, hits, i, directions[i], 1));
+    centres.triangle.at<int>(v, u) = static_cast<int>(hits.triangle[i]);
     const Eigen::Vector3d ray = view.ray_in_cam(u, v).cast<double>();
     const double z =
         ray.z() * view.tracer.exact_t(hits.triangle[i], view.world_from_cam.t, view.world_from_cam.R * ray);
@@ -110,8 +125,11 @@ void trace_centres(const View& view, int u0, int v0, cv::Mat& color, cv::Mat& de
   }
 }
 
-bool needs_more_rays(const cv::Mat& color, int u, int v) {
+bool needs_more_rays(const View& view, const Centres& centres, int u, int v) {
+  const cv::Mat& color = centres.color;
   cv::Vec3b low = color.at<cv::Vec3b>(v, u), high = low;
+  const int triangle = centres.triangle.at<int>(v, u);
+  bool one_surface = true;
   for (const auto& step : {cv::Point(-1, 0), cv::Point(1, 0), cv::Point(0, -1), cv::Point(0, 1)}) {
     const int x = std::clamp(u + step.x, 0, color.cols - 1), y = std::clamp(v + step.y, 0, color.rows - 1);
     const cv::Vec3b& c = color.at<cv::Vec3b>(y, x);
@@ -119,8 +137,10 @@ bool needs_more_rays(const cv::Mat& color, int u, int v) {
       low[k] = std::min(low[k], c[k]);
       high[k] = std::max(high[k], c[k]);
     }
+    one_surface &= view.is_one_surface(triangle, centres.triangle.at<int>(y, x));
   }
-  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}) > kContrast;
+  const int contrast = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  return contrast > (one_surface ? kContrastOfTexture : kContrastOfSurfaces);
 }
 
 // The mean of four rays in each of two pixels.
@@ -145,12 +165,12 @@ void trace_edges(const View& view, const std::array<cv::Point, 2>& pixels, int c
   }
 }
 
-void refine_tile(const View& view, const cv::Rect& tile, const cv::Mat& centres, cv::Mat& color) {
+void refine_tile(const View& view, const cv::Rect& tile, const Centres& centres, cv::Mat& color) {
   std::array<cv::Point, 2> waiting;
   int count = 0;
   for (int v = tile.y; v < tile.y + tile.height; ++v) {
     for (int u = tile.x; u < tile.x + tile.width; ++u) {
-      if (!needs_more_rays(centres, u, v)) continue;
+      if (!needs_more_rays(view, centres, u, v)) continue;
       waiting[count++] = {u, v};
       if (count < 2) continue;
       trace_edges(view, waiting, count, color);
@@ -214,12 +234,13 @@ Frame RgbdSensor::render(const RayTracer& tracer, const Pose& world_from_cam) co
                   display};
   Frame frame;
   frame.depth = cv::Mat(height, width, CV_32F, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
-  cv::Mat centres(height, width, CV_8UC3, cv::Scalar::all(0));
+  Centres centres{cv::Mat(height, width, CV_8UC3, cv::Scalar::all(0)),
+                  cv::Mat(height, width, CV_32S, cv::Scalar(-1))};
   for_each_tile(width, height, [&](const cv::Rect& tile) {
     for (int v = tile.y; v < tile.y + tile.height; v += 2)
       for (int u = tile.x; u < tile.x + tile.width; u += 4) trace_centres(view, u, v, centres, frame.depth);
   });
-  frame.color = centres.clone();
+  frame.color = centres.color.clone();
   if (options_.edge_samples == 4)
     for_each_tile(width, height,
                   [&](const cv::Rect& tile) { refine_tile(view, tile, centres, frame.color); });
