@@ -58,12 +58,12 @@ Hypotheses<Pose, 10> poses(Kernel* kernel, const Bearings5& x1, const Bearings5&
   const int count = kernel(to_points(x1, x2), motions);
   Hypotheses<Pose, 10> poses;
   for (int i = 0; i < count; ++i) {
-    Pose pose = to_pose(motions[i]);
-    if (!choose_direction(x1, x2, pose)) {
-      pose.R = (2 * pose.t) * (pose.t.transpose() * pose.R) - pose.R;  // half a turn about t: the same E
-      if (!choose_direction(x1, x2, pose)) continue;
+    const Pose pose = to_pose(motions[i]);
+    // Half a turn about t gives the same E. Only without parallax may both see all points in front.
+    const Pose twisted{(2 * pose.t) * (pose.t.transpose() * pose.R) - pose.R, pose.t};
+    for (Pose candidate : {pose, twisted}) {
+      if (poses.size() < poses.capacity() && choose_direction(x1, x2, candidate)) poses.push_back(candidate);
     }
-    poses.push_back(pose);
   }
   return poses;
 }
