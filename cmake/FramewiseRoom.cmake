@@ -5,7 +5,8 @@
 # Every foo.cc in the folder belongs to the room; every foo_test.cc belongs to its test program.
 # A room of headers alone is an interface library.
 #
-# With FRAMEWISE_PRECOMPILED_HEADERS what most sources of a room include is read once. Sources that are compiled for
+# With FRAMEWISE_PRECOMPILED_HEADERS what most sources of a room include is read once, and a room that says FEW_UNITS
+# is compiled in units of six sources (their unnamed namespaces must not clash). Sources that are compiled for
 # several instruction sets see none of it: code for newer processors must not leak into shared inline functions.
 include(GNUInstallDirs)
 if(FRAMEWISE_BUILD_TESTS)
@@ -13,7 +14,7 @@ if(FRAMEWISE_BUILD_TESTS)
 endif()
 
 function(framewise_room name)
-  cmake_parse_arguments(ROOM "" "" "DEPENDS;PRIVATE_DEPENDS;TEST_DEPENDS;PRECOMPILE;SEVERAL_INSTRUCTION_SETS" ${ARGN})
+  cmake_parse_arguments(ROOM "FEW_UNITS" "" "DEPENDS;PRIVATE_DEPENDS;TEST_DEPENDS;PRECOMPILE;SEVERAL_INSTRUCTION_SETS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cc)
   file(GLOB tests CONFIGURE_DEPENDS *_test.cc)
   if(tests)
@@ -37,9 +38,11 @@ function(framewise_room name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} ${scope} ${ROOM_DEPENDS})
 
-  if(FRAMEWISE_PRECOMPILED_HEADERS AND sources AND ROOM_PRECOMPILE)
+  if(FRAMEWISE_PRECOMPILED_HEADERS AND sources)
     target_precompile_headers(${target} PRIVATE ${ROOM_PRECOMPILE})
-    set_source_files_properties(${ROOM_SEVERAL_INSTRUCTION_SETS} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROOM_FEW_UNITS} UNITY_BUILD_BATCH_SIZE 6)
+    set_source_files_properties(${ROOM_SEVERAL_INSTRUCTION_SETS} PROPERTIES
+      SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 
   install(TARGETS ${target} EXPORT FramewiseTargets)
