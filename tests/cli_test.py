@@ -93,7 +93,7 @@ class Run(Recording):
 
     def test_eight_point_takes_its_scale_from_depth_truth_or_nowhere(self):
         for scale in ("depth", "truth", "none"):
-            result = self.run_data("--solver", "eight-point", "--scale", scale)
+            result = self.run_data("--solver", "eight-point", "--scale", scale, "--refine", "none")
             self.assertEqual(result.returncode, 0, result.stderr)
             frames = list(csv.DictReader((self.out / "frames.csv").open()))
             lengths = [math.hypot(*(float(r[f"step_t{axis}"]) for axis in "xyz")) for r in frames[1:] if r["status"] == "ok"]
