@@ -107,7 +107,6 @@ void two_view_rows(std::size_t count, const std::string& part) {
   std::vector<Method> methods = {
       framewise_relative("framewise 8-point", RelativePoseSolver::kEightPoint),
       framewise_relative("framewise Nister 5-point", RelativePoseSolver::kNister5pt),
-                                 framewise_relative("framewise eigensolver", RelativePoseSolver::kEigensolver), oracle_relative()};
 #ifdef FRAMEWISE_BENCH_POSELIB
   methods.push_back(poselib_relative(false));
   methods.push_back(poselib_relative(true));
