@@ -69,9 +69,10 @@ inline RobustProblem make_robust_problem(const Setting& setting, testing::Random
   return p;
 }
 
-// The larger of rotation error and translation-direction error (deg); no answer counts as 180.
+// The larger of rotation error and translation-direction error (deg); no answer, and none about t, counts as
+// 180.
 inline double two_view_error_deg(const std::optional<Pose>& pose, const Pose& truth) {
-  if (!pose) return 180;
+  if (!pose || !(pose->t.norm() > 0)) return 180;
   return 180 / M_PI *
          std::max(testing::rotation_error(pose->R, truth.R), testing::direction_error(pose->t, truth.t));
 }

@@ -5,7 +5,9 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "framewise/geometry/so3.h"
 #include "framewise/robust/bearings.h"
@@ -47,6 +49,26 @@ std::optional<Eigen::Matrix3d> plane_homography(std::span<const Bearing> x1, std
   double sign = 0;
   for (std::size_t i = 0; i < x1.size(); ++i) sign += x2[i].dot(H * x1[i]);
   return Eigen::Matrix3d(H * ((sign < 0 ? -1 : 1) / middle));
+}
+
+std::optional<Eigen::Matrix3d> robust_plane_homography(std::span<const Bearing> x1,
+                                                       std::span<const Bearing> x2) {
+  std::vector<Bearing> kept1(x1.begin(), x1.end()), kept2(x2.begin(), x2.end());
+  std::optional<Eigen::Matrix3d> H = plane_homography(kept1, kept2);
+  std::vector<double> residuals(x1.size());
+  constexpr int kRounds = 3;
+  for (int round = 0; H && round < kRounds; ++round) {
+    for (std::size_t i = 0; i < x1.size(); ++i) residuals[i] = (*H * x1[i]).normalized().cross(x2[i]).norm();
+    std::vector<double> sorted = residuals;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    kept1.clear(), kept2.clear();
+    for (std::size_t i = 0; i < x1.size(); ++i) {
+      if (residuals[i] <= 3 * *middle) kept1.push_back(x1[i]), kept2.push_back(x2[i]);
+    }
+    H = plane_homography(kept1, kept2);
+  }
+  return H;
 }
 
 Hypotheses<Pose, 2> motions_of_plane(const Eigen::Matrix3d& H) {

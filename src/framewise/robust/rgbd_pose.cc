@@ -88,8 +88,9 @@ std::optional<Estimate> estimate_rgbd_pose(std::span<const Bearing> x1, std::spa
   std::vector<std::uint32_t> members = inliers_of(found->model, options.max_error);
   if (members.size() < static_cast<std::size_t>(options.min_inliers)) return std::nullopt;
   RefineOptions refine;
-  refine.sigma = options.image_sigma.value_or(problem.noise_level(found->model));
-  refine.loss = {Loss::kTukey, 6};  // of residuals with up to three coordinates
+  // A reprojection has the noise of both images.
+  refine.sigma = options.image_sigma.value_or(problem.noise_level(found->model) / std::sqrt(2.0));
+  refine.loss = {Loss::kTukey, 8};  // 95 % efficient for residuals of three coordinates
   refine.max_iterations = 10;
   refine.tolerance = 1e-3;
   RgbdColumns columns;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "framewise/geometry/epipolar.h"
 #include "framewise/geometry/so3.h"
 #include "framewise/robust/plane_motion.h"
 #include "framewise/solvers/refine_input.h"
@@ -19,13 +20,13 @@ namespace {
 constexpr double kCut = 3.2;  // sigmas
 constexpr double kSameMinimum = 1e-3;
 constexpr double kFarAway = 10 * M_PI / 180;
-constexpr double kAsGood = 4;  // times the root of the number of members
+constexpr double kAsGood = 6;  // times the root of the number of members
 constexpr double kFewestInFront = 0.9;
 constexpr double kOutlierCost = 10;  // squared sigmas
 
 std::vector<Pose> starts(std::span<const Bearing> x1, std::span<const Bearing> x2) {
   std::vector<Pose> poses;
-  if (const auto H = plane_homography(x1, x2)) {
+  if (const auto H = robust_plane_homography(x1, x2)) {
     for (const Pose& pose : motions_of_plane(*H)) poses.push_back(pose);
   }
   if (const auto R = rotation_npt(x1, x2)) {
@@ -43,6 +44,12 @@ std::vector<Pose> starts(std::span<const Bearing> x1, std::span<const Bearing> x
 double motion_between(const Pose& a, const Pose& b) {
   const double turn = rotation_angle(a.R.transpose() * b.R);
   return std::max(turn, std::atan2(a.t.cross(b.t).norm(), a.t.dot(b.t)));
+}
+
+// Whatever the sign of t and the rotation of the pair.
+bool same_essential(const Pose& a, const Pose& b) {
+  const Eigen::Matrix3d A = essential_from_pose(a), B = essential_from_pose(b);
+  return std::min((A - B).norm(), (A + B).norm()) < kSameMinimum;
 }
 
 struct Minimum {
@@ -76,20 +83,25 @@ Settled settle_minimum(const TwoViews& views, const Consensus& consensus, double
   std::vector<Minimum> minima{
       {consensus.refined.pose, cost_of_all(views, consensus.refined.pose, refine.sigma)}};
   std::size_t best = 0;
+  const double margin = kAsGood * std::sqrt(static_cast<double>(consensus.members.size()));
   for (const Pose& start : starts(x1, x2)) {
     if (!start.R.allFinite() || !start.t.allFinite()) continue;
-    const Pose found = refine_relative_pose(start, pairs, refine).pose;
-    const FrontVote vote = choose_by_parallax(views, found, kCut * refine.sigma, max_error);
+    Minimum minimum{start, cost_of_all(views, start, refine.sigma)};
+    const Pose descended = refine_relative_pose(start, pairs, refine).pose;
+    const double cost = cost_of_all(views, descended, refine.sigma);
+    if (cost < minimum.cost) minimum = {descended, cost};
+    if (minimum.cost > minima[best].cost + margin || same_essential(minimum.pose, minima[0].pose)) continue;
+    const FrontVote vote = choose_by_parallax(views, minimum.pose, kCut * refine.sigma, max_error);
     if (vote.share < kFewestInFront) continue;
-    minima.push_back({vote.pose, cost_of_all(views, found, refine.sigma)});
-    if (minima.back().cost < minima[best].cost) best = minima.size() - 1;
+    minima.push_back({vote.pose, minimum.cost});
+    if (minimum.cost < minima[best].cost) best = minima.size() - 1;
   }
   Settled settled{consensus, false};
   if (motion_between(minima[best].pose, minima[0].pose) > kSameMinimum) {
     const Consensus other = find_consensus(views, minima[best].pose, max_error);
     if (!other.members.empty()) settled.consensus = other;
   }
-  const double limit = minima[best].cost + kAsGood * std::sqrt(static_cast<double>(consensus.members.size()));
+  const double limit = minima[best].cost + margin;
   for (const Minimum& minimum : minima) {
     settled.ambiguous |=
         minimum.cost < limit && motion_between(minimum.pose, settled.consensus.refined.pose) > kFarAway;

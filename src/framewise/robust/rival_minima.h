@@ -16,7 +16,7 @@ struct Settled {
 // plane nearest to the members and from the best rotation with each principal direction of translation, and
 // takes what fits best among those with the points in front of both cameras. Ambiguous: a motion more than 10
 // deg away fits as well. The two are not nested, so that the difference of their costs over n points has a
-// standard deviation near 2 sqrt(n) when both are right, and twice that is the limit.
+// standard deviation near 2 sqrt(n) when both are right, and three times that is the limit.
 Settled settle_minimum(const TwoViews& views, const Consensus& consensus, double max_error);
 
 }  // namespace framewise
