@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "framewise/geometry/linear_algebra.h"
 #include "framewise/geometry/pose.h"
 #include "framewise/geometry/so3.h"
 
@@ -30,6 +31,59 @@ TEST(So3, RightJacobianIsTheDerivativeOfExp) {
     }
     EXPECT_LT((so3_right_jacobian(phi) - numeric).norm(), 1e-8) << scale;
   }
+}
+
+TEST(So3, RotationBetweenTakesOneDirectionToTheOther) {
+  const Eigen::Vector3d a = Eigen::Vector3d(0.3, -0.5, 0.8).normalized(), across = a.unitOrthogonal();
+  for (const double angle : {0.0, 1e-12, 1e-6, 0.4, 2.0, M_PI - 1e-6, M_PI - 1e-12, M_PI}) {
+    const Eigen::Vector3d b = std::cos(angle) * a + std::sin(angle) * across;
+    const Eigen::Matrix3d R = rotation_between(a, b);
+    EXPECT_LT((R * a - b).norm(), 1e-14) << angle;
+    EXPECT_LT((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), 1e-14) << angle;
+    EXPECT_NEAR(R.determinant(), 1, 1e-14) << angle;
+    EXPECT_NEAR(rotation_angle(R), angle, 1e-14) << angle;
+  }
+}
+
+// Eigenvalues 1, 2, 3, ... in axes of no special kind.
+template <int N>
+Eigen::Matrix<double, N, N> with_known_eigenvalues() {
+  using Matrix = Eigen::Matrix<double, N, N>;
+  const Eigen::Matrix<double, N, 1> v = Eigen::Matrix<double, N, 1>::LinSpaced(1, 2).normalized();
+  const Matrix Q = Matrix::Identity() - 2 * v * v.transpose();
+  return Q * Eigen::Matrix<double, N, 1>::LinSpaced(1, N).asDiagonal() * Q;
+}
+
+template <int N>
+void expect_eigenvalues() {
+  const Eigen::Matrix<double, N, N> S = with_known_eigenvalues<N>();
+  const SymmetricEigen<N> eigen = symmetric_eigen(S);
+  EXPECT_LT((eigen.values - Eigen::Matrix<double, N, 1>::LinSpaced(1, N)).norm(), 1e-13);
+  EXPECT_LT((S * eigen.vectors - eigen.vectors * eigen.values.asDiagonal()).norm(), 1e-13);
+}
+
+TEST(LinearAlgebra, EigenvaluesIncrease) {
+  expect_eigenvalues<3>();
+  expect_eigenvalues<9>();
+}
+
+template <int N>
+void expect_cholesky() {
+  const Eigen::Matrix<double, N, N> S = with_known_eigenvalues<N>(),
+                                    I = Eigen::Matrix<double, N, N>::Identity();
+  const Cholesky<N> cholesky(S);
+  ASSERT_TRUE(cholesky.positive_definite());
+  const Eigen::Matrix<double, N, 1> b = Eigen::Matrix<double, N, 1>::LinSpaced(-1, 3);
+  EXPECT_LT((S * cholesky.solve(b) - b).norm(), 1e-13);
+  EXPECT_LT((S * cholesky.inverse() - I).norm(), 1e-13);
+  EXPECT_LT((cholesky.inverse_of_factor() * S * cholesky.inverse_of_factor().transpose() - I).norm(), 1e-13);
+  EXPECT_FALSE(Cholesky<N>(S - 2 * I).positive_definite());
+}
+
+TEST(LinearAlgebra, CholeskySolvesAndInvertsAndTellsIndefiniteMatrices) {
+  expect_cholesky<3>();
+  expect_cholesky<5>();
+  expect_cholesky<6>();
 }
 
 TEST(Pose, ProductsAndInversesAct) {

@@ -53,6 +53,15 @@ double rotation_angle(const Eigen::Matrix3d& R) {
   return std::atan2(twice_sin_axis.norm(), R.trace() - 1.0);
 }
 
+Eigen::Matrix3d rotation_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  // Two reflections: along a, and along h, half way from a to b. They take a to -a, and -a to b.
+  const Eigen::Vector3d in_plane = b - b.dot(a) * a;
+  Eigen::Vector3d across = in_plane.norm() > 1e-15 ? in_plane.normalized() : a.unitOrthogonal();
+  across = (across - across.dot(a) * a).normalized();
+  const Eigen::Vector3d h = 0.5 * ((a + b).norm() * a + (a - b).norm() * across);
+  return Eigen::Matrix3d::Identity() - 2 * a * a.transpose() - 2 * h * (h - 2 * h.dot(a) * a).transpose();
+}
+
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& M) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Vector3d d(1, 1, svd.matrixU().determinant() * svd.matrixV().determinant() < 0 ? -1 : 1);

@@ -24,6 +24,10 @@ Eigen::Matrix3d so3_right_jacobian(const Eigen::Vector3d& phi);
 // Angle of a rotation in [0, pi] (rad), accurate for tiny angles, where acos((trace - 1) / 2) is not.
 double rotation_angle(const Eigen::Matrix3d& R);
 
+// The smallest rotation that takes direction a to direction b (unit vectors); about some axis across a where
+// b is -a.
+Eigen::Matrix3d rotation_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
 // The rotation nearest to M in the Frobenius norm.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& M);
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/robust/plane_motion.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "framewise/geometry/linear_algebra.h"
 #include "framewise/geometry/so3.h"
 #include "framewise/robust/bearings.h"
 
@@ -38,13 +38,12 @@ std::optional<Eigen::Matrix3d> plane_homography(std::span<const Bearing> x1, std
       for (int c = 0; c <= r; ++c) M.block<3, 3>(3 * r, 3 * c) += N(r, c) * P;
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> eigen(M);
-  if (eigen.info() != Eigen::Success || !(eigen.eigenvalues()[1] > 1e-12 * eigen.eigenvalues()[8]))
-    return std::nullopt;
-  const Eigen::Matrix<double, 9, 1> h = eigen.eigenvectors().col(0);
+  const SymmetricEigen<9> eigen = symmetric_eigen(M);
+  if (!(eigen.values[1] > 1e-12 * eigen.values[8])) return std::nullopt;
+  const Eigen::Matrix<double, 9, 1> h = eigen.vectors.col(0);
   Eigen::Matrix3d H = Eigen::Map<const RowMajor3d>(h.data());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squared(H.transpose() * H);
-  const double middle = std::sqrt(std::max(squared.eigenvalues()[1], 0.0));
+  const SymmetricEigen<3> squared = symmetric_eigen(Eigen::Matrix3d(H.transpose() * H));
+  const double middle = std::sqrt(std::max(squared.values[1], 0.0));
   if (!(middle > 0)) return std::nullopt;
   double sign = 0;
   for (std::size_t i = 0; i < x1.size(); ++i) sign += x2[i].dot(H * x1[i]);
@@ -73,11 +72,10 @@ std::optional<Eigen::Matrix3d> robust_plane_homography(std::span<const Bearing> 
 
 Hypotheses<Pose, 2> motions_of_plane(const Eigen::Matrix3d& H) {
   Hypotheses<Pose, 2> motions;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(H.transpose() * H);
-  const double s1 = eigen.eigenvalues()[2], s3 = eigen.eigenvalues()[0];  // squared singular values
+  const SymmetricEigen<3> eigen = symmetric_eigen(Eigen::Matrix3d(H.transpose() * H));
+  const double s1 = eigen.values[2], s3 = eigen.values[0];  // squared singular values
   if (!(s1 - s3 > 1e-9)) return motions;
-  const Eigen::Vector3d v1 = eigen.eigenvectors().col(2), v2 = eigen.eigenvectors().col(1),
-                        v3 = eigen.eigenvectors().col(0);
+  const Eigen::Vector3d v1 = eigen.vectors.col(2), v2 = eigen.vectors.col(1), v3 = eigen.vectors.col(0);
   const double a = std::sqrt(std::max(0.0, 1 - s3) / (s1 - s3)),
                b = std::sqrt(std::max(0.0, s1 - 1) / (s1 - s3));
   motions.push_back(motion_of_frame(H, v2, a * v1 + b * v3));

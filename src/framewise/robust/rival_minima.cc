@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/robust/rival_minima.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "framewise/geometry/epipolar.h"
+#include "framewise/geometry/linear_algebra.h"
 #include "framewise/geometry/so3.h"
 #include "framewise/robust/plane_motion.h"
 #include "framewise/solvers/refine_input.h"
@@ -35,7 +35,7 @@ std::vector<Pose> starts(std::span<const Bearing> x1, std::span<const Bearing> x
       const Eigen::Vector3d n = (*R * x1[i]).cross(x2[i]);
       normals += n * n.transpose();
     }
-    const Eigen::Matrix3d directions = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normals).eigenvectors();
+    const Eigen::Matrix3d directions = symmetric_eigen(normals).vectors;
     for (int k = 0; k < 3; ++k) poses.push_back({*R, directions.col(k)});
   }
   return poses;

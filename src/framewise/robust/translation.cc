@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/robust/translation.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "framewise/geometry/epipolar.h"
+#include "framewise/geometry/linear_algebra.h"
 #include "framewise/robust/bearings.h"
 #include "framewise/robust/correspondences_check.h"
 #include "framewise/robust/degeneracy.h"
@@ -113,7 +113,7 @@ std::optional<Estimate> estimate_translation(std::span<const Bearing> x1, std::s
   const DirectionFit fit = fit_direction(unit1, unit2, estimate, problem.surface());
   estimate.covariance.setZero();
   estimate.covariance.bottomRightCorner<3, 3>() = fit.covariance;
-  const double worst = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(fit.covariance).eigenvalues()[2];
+  const double worst = symmetric_eigen(fit.covariance).values[2];
   if (is_mere_noise(fit.parallax_chi_squared, static_cast<double>(estimate.num_inliers))) {
     estimate.kind = EstimateKind::kRotationOnly;
     pose.t.setZero();

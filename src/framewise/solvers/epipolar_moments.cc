@@ -47,7 +47,7 @@ EpipolarMoments::EpipolarMoments(std::span<const Bearing> x1, std::span<const Be
 
 EpipolarMoments::Value EpipolarMoments::evaluate(const Eigen::Matrix3d& R) const {
   const Matrix93 B = normals(R);
-  const Eigen::Matrix3d M = B.transpose() * (C_ * B);
+  const Eigen::Matrix3d M = B.transpose() * (C_.lazyProduct(B));
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
   eigen.computeDirect(M);
   return {eigen.eigenvalues(), eigen.eigenvectors()};
@@ -56,7 +56,7 @@ EpipolarMoments::Value EpipolarMoments::evaluate(const Eigen::Matrix3d& R) const
 EpipolarMoments::Derivatives EpipolarMoments::derivatives(const Eigen::Matrix3d& R,
                                                           const Value& value) const {
   const Matrix93 B = normals(R);
-  const Matrix93 CB = C_ * B;
+  const Matrix93 CB = C_.lazyProduct(B);
   const Eigen::Vector3d t = value.eigenvectors.col(0);
   const Vector9 Ct = CB * t;
   const Eigen::Matrix3d W = Eigen::Map<const RowMajor3>(Ct.data());  // d(t'Mt)/dB / 2
@@ -77,7 +77,7 @@ EpipolarMoments::Derivatives EpipolarMoments::derivatives(const Eigen::Matrix3d&
 
   Derivatives d;
   d.gradient = 2 * axial(Z);
-  d.hessian = 2 * (D.transpose() * (C_ * D)) + Z + Z.transpose();
+  d.hessian = 2 * (D.transpose().lazyProduct(C_.lazyProduct(D).eval())) + Z + Z.transpose();
   d.hessian.diagonal().array() -= 2 * Z.trace();
   // The eigenvector follows the rotation: second-order perturbation of an eigenvalue.
   for (int k = 1; k < 3; ++k) {

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/solvers/essential_8pt.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "framewise/geometry/linear_algebra.h"
 #include "framewise/solvers/decompose_essential.h"
 #include "framewise/solvers/null_space.h"
 
@@ -34,11 +33,11 @@ Eigen::Matrix3d unpack(const Vector6d& p) {
 
 // T with sum w (T x)(T x)' = sum w I / 3; the identity where the bearings span less than 3 dimensions.
 Eigen::Matrix3d whitening(const Eigen::Matrix3d& second_moment) {
-  const Eigen::LLT<Eigen::Matrix3d> llt(second_moment * (3 / second_moment.trace()));
-  if (llt.info() != Eigen::Success || !(llt.matrixL().toDenseMatrix().diagonal().minCoeff() > 1e-7)) {
+  const Cholesky<3> cholesky(second_moment * (3 / second_moment.trace()));
+  if (!cholesky.positive_definite() || !(cholesky.L().diagonal().minCoeff() > 1e-7)) {
     return Eigen::Matrix3d::Identity();
   }
-  return llt.matrixL().solve(Eigen::Matrix3d::Identity());
+  return cholesky.inverse_of_factor();
 }
 
 Eigen::Matrix3d solve_minimal(std::span<const Bearing> x1, std::span<const Bearing> x2,
@@ -74,18 +73,18 @@ Eigen::Matrix3d solve_least_squares(std::span<const Bearing> x1, std::span<const
   for (int j = 0; j < 9; ++j) {
     for (int i = 0; i < 9; ++i) M(i, j) = products(kUpper[i % 3][j % 3], kUpper[i / 3][j / 3]);
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix9d> eigen(M);
-  Vector9d e = eigen.eigenvectors().col(0);
+  const SymmetricEigen<9> eigen = symmetric_eigen(M);
+  Vector9d e = eigen.vectors.col(0);
   Vector9d gradient = Vector9d::Zero();
   for (std::size_t i = 0; i < x1.size(); ++i) {
     const Vector9d a = epipolar_row(T1 * x1[i], T2 * x2[i]);
     gradient += (weight(i) * a.dot(e)) * a;
   }
-  const Vector9d lambda = eigen.eigenvalues();
+  const Vector9d lambda = eigen.values;
   for (int k = 1; k < 9; ++k) {
     const double gap = lambda(k) - lambda(0);
     if (gap < 100 * std::numeric_limits<double>::epsilon() * lambda(8)) continue;
-    e -= eigen.eigenvectors().col(k) * (eigen.eigenvectors().col(k).dot(gradient) / gap);
+    e -= eigen.vectors.col(k) * (eigen.vectors.col(k).dot(gradient) / gap);
   }
   return T2.transpose() * Eigen::Map<const Eigen::Matrix3d>(e.data()) * T1;
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <limits>
 
 #include "framewise/geometry/epipolar.h"
+#include "framewise/geometry/linear_algebra.h"
 #include "framewise/geometry/pose.h"
 #include "framewise/geometry/so3.h"
 #include "framewise/solvers/refine_kernels.h"
@@ -70,12 +70,11 @@ template <int kDof>
 Eigen::Matrix<double, kDof, kDof> inverse_information(const Eigen::Matrix<double, kDof, kDof>& H) {
   using Matrix = Eigen::Matrix<double, kDof, kDof>;
   const Eigen::Matrix<double, kDof, 1> scale = H.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::LLT<Matrix> llt(scale.asDiagonal() * H * scale.asDiagonal());
+  const Cholesky<kDof> cholesky(scale.asDiagonal() * H * scale.asDiagonal());
   // Each entry is the share of a coordinate's information that the others do not explain.
-  if (llt.info() != Eigen::Success || !(llt.matrixLLT().diagonal().minCoeff() > 1e-7))
+  if (!cholesky.positive_definite() || !(cholesky.L().diagonal().minCoeff() > 1e-7))
     return Matrix::Constant(std::numeric_limits<double>::quiet_NaN());
-  const Matrix inverse = scale.asDiagonal() * llt.solve(Matrix::Identity()) * scale.asDiagonal();
-  return 0.5 * (inverse + inverse.transpose());
+  return scale.asDiagonal() * cholesky.inverse() * scale.asDiagonal();
 }
 
 template <typename Motion>
@@ -100,10 +99,10 @@ Refinement minimise(const Pose& initial, const SumsAt& sums_at, const RefineOpti
     const NormalEquations<Motion> normal = normal_equations<Motion>(sums, result.pose);
     auto damped = normal.H;
     damped.diagonal() *= 1 + damping;
-    const Eigen::LLT<decltype(damped)> llt(damped);
-    const typename Motion::Step step = llt.solve(-normal.g);
+    const Cholesky<Motion::kDof> cholesky(damped);
+    const typename Motion::Step step = cholesky.solve(-normal.g);
     expected_decrease = -normal.g.dot(step);
-    if (llt.info() != Eigen::Success || !(expected_decrease >= 0)) {
+    if (!cholesky.positive_definite() || !(expected_decrease >= 0)) {
       damping = std::max(1e-3, 10 * damping);
       continue;
     }

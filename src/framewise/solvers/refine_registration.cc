@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "framewise/geometry/linear_algebra.h"
 #include "framewise/solvers/levenberg_marquardt.h"
 #include "framewise/solvers/refine_input.h"
 
@@ -24,7 +25,7 @@ void check_covariances(const Eigen::Matrix3d& S1, const Eigen::Matrix3d& S2, std
   const bool symmetric =
       (S1 - S1.transpose()).norm() <= 1e-9 * S1.norm() && (S2 - S2.transpose()).norm() <= 1e-9 * S2.norm();
   const bool proper = S1.diagonal().minCoeff() >= 0 && S2.diagonal().minCoeff() >= 0 && S.allFinite() &&
-                      Eigen::LLT<Eigen::Matrix3d>(S).info() == Eigen::Success;
+                      Cholesky<3>(S).positive_definite();
   if (!symmetric || !proper)
     throw std::invalid_argument("S1 + S2 of point " + std::to_string(i) +
                                 " is no covariance, expected symmetric and positive definite");

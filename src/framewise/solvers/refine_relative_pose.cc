@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "framewise/geometry/epipolar.h"
+#include "framewise/geometry/linear_algebra.h"
 #include "framewise/solvers/levenberg_marquardt.h"
 #include "framewise/solvers/refine_input.h"
 
@@ -41,8 +42,8 @@ Eigenpair smallest(const Eigen::Matrix2d& M) {
 // Information about the direction of t once the rotation is free: the Schur complement.
 Eigen::Matrix2d direction_information(const NormalEquations<MotionUpToScale>& normal) {
   const Eigen::Matrix<double, 3, 2> across = normal.H.topRightCorner<3, 2>();
-  const Eigen::LLT<Eigen::Matrix3d> rotation(normal.H.topLeftCorner<3, 3>());
-  return normal.H.bottomRightCorner<2, 2>() - across.transpose() * rotation.solve(across);
+  const Cholesky<3> rotation(normal.H.topLeftCorner<3, 3>());
+  return normal.H.bottomRightCorner<2, 2>() - across.transpose() * (rotation.inverse() * across);
 }
 
 }  // namespace

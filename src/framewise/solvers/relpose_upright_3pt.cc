@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "framewise/geometry/so3.h"
 #include "framewise/solvers/polynomial_roots.h"
 
 namespace framewise {
@@ -153,9 +154,8 @@ Hypotheses<Pose, 4> relpose_upright_3pt(const Three& x1, const Three& x2) {
 
 Hypotheses<Pose, 4> relpose_upright_3pt(const Three& x1, const Three& x2, const Bearing& gravity1,
                                         const Bearing& gravity2) {
-  using Eigen::Quaterniond;
-  const Eigen::Matrix3d level1 = Quaterniond::FromTwoVectors(gravity1, Bearing::UnitY()).toRotationMatrix();
-  const Eigen::Matrix3d level2 = Quaterniond::FromTwoVectors(gravity2, Bearing::UnitY()).toRotationMatrix();
+  const Eigen::Matrix3d level1 = rotation_between(gravity1.normalized(), Bearing::UnitY());
+  const Eigen::Matrix3d level2 = rotation_between(gravity2.normalized(), Bearing::UnitY());
   auto poses = relpose_upright_3pt({level1 * x1[0], level1 * x1[1], level1 * x1[2]},
                                    {level2 * x2[0], level2 * x2[1], level2 * x2[2]});
   for (Pose& pose : poses) pose = {level2.transpose() * pose.R * level1, level2.transpose() * pose.t};

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/solvers/rotation_eigensolver.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "framewise/geometry/linear_algebra.h"
 #include "framewise/geometry/so3.h"
 #include "framewise/solvers/coplanar_normals.h"
 #include "framewise/solvers/epipolar_moments.h"
@@ -32,12 +32,12 @@ Minimum minimise(const EpipolarMoments& moments, const Eigen::Matrix3d& start, d
     const auto d = moments.derivatives(m.R, m.value);
     double damping = 0;
     const double scale = d.hessian.diagonal().cwiseAbs().maxCoeff();
-    Eigen::LLT<Eigen::Matrix3d> llt(d.hessian);
-    while (llt.info() != Eigen::Success && damping < 1e6 * scale) {
+    Cholesky<3> cholesky(d.hessian);
+    while (!cholesky.positive_definite() && damping < 1e6 * scale) {
       damping = damping == 0 ? 0.1 * scale : 4 * damping;
-      llt.compute(d.hessian + damping * Eigen::Matrix3d::Identity());
+      cholesky = Cholesky<3>(d.hessian + damping * Eigen::Matrix3d::Identity());
     }
-    Eigen::Vector3d step = -llt.solve(d.gradient);
+    Eigen::Vector3d step = -cholesky.solve(d.gradient);
     if (!step.allFinite()) break;
     const double length = step.norm();
     if (length > radius) step *= radius / length;

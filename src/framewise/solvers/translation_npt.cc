@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/solvers/translation_npt.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "framewise/geometry/linear_algebra.h"
 #include "framewise/solvers/matching_sizes.h"
 
 namespace framewise {
@@ -28,12 +28,12 @@ std::optional<Eigen::Vector3d> translation_npt(std::span<const Bearing> x1, std:
   M << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   if (!M.allFinite()) return std::nullopt;
 
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(M);
+  const SymmetricEigen<3> eigen = symmetric_eigen(M);
   // The middle eigenvalue must stand out of the rounding errors of M (relative) and of the normals (1e-16
   // each).
-  const double middle = eigen.eigenvalues()[1], largest = eigen.eigenvalues()[2];
+  const double middle = eigen.values[1], largest = eigen.values[2];
   if (!(middle > 1e-14 * largest && middle > 1e-30 * static_cast<double>(x1.size()))) return std::nullopt;
-  Eigen::Vector3d t = eigen.eigenvectors().col(0);
+  Eigen::Vector3d t = eigen.vectors.col(0);
   // t.(x2 - R x1) = (lambda1 + lambda2) (1 - cos(parallax)): every point in front says plus.
   if (t.dot(parallax) < 0) t = -t;
   return t;
