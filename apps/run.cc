@@ -80,6 +80,7 @@ Json options_json(const RunCommand& command) {
           {"descriptor", o.features.descriptor},
           {"features", o.features.count},
           {"matcher", o.matcher},
+          {"subpixel", o.subpixel},
           {"refine", o.refine},
           {"keypoint-sigma-px", o.keypoint_sigma_px},
           {"depth-noise-floor", o.depth_noise.floor},
@@ -175,7 +176,7 @@ void print_summary(const RunCommand& command, const Json& run, const std::option
 void check_means(const RunCommand& command, const Dataset& dataset) {
   if (command.odometry.needs_depth() && dataset.frames_with_depth == 0)
     throw InputError(dataset.folder, 0, "depth", "no depth images",
-                     "some for this method (without: --solver eight-point --scale none)");
+                     "some for this method (without: --solver nister-5pt --scale none)");
   if (command.odometry.scale == "truth" && dataset.truth.empty())
     throw InputError(dataset.folder, 0, "groundtruth.txt", "no truth", "one for --scale truth");
 }
@@ -220,15 +221,20 @@ int run(RunCommand& command, CLI::App& app) {
 }
 
 void add_method_options(CLI::App& app, OdometryOptions& o) {
-  app.add_option("--solver", o.solver, "kabsch (3D-3D) or eight-point (bearings)")->capture_default_str();
-  app.add_option("--scale", o.scale, "length of an eight-point step: depth, truth or none")
+  app.add_option("--solver", o.solver,
+                 "kabsch (3D-3D), or from bearings: eight-point, seven-point, nister-5pt,\n"
+                 "stewenius-5pt, kneip-5pt-rotation, eigensolver")
       ->capture_default_str();
-  app.add_option("--error", o.error, "what makes an inlier: point-to-point (kabsch), sampson (eight-point)")
+  app.add_option("--scale", o.scale, "length of a step from bearings: depth, truth or none")
+      ->capture_default_str();
+  app.add_option("--error", o.error, "what makes an inlier: point-to-point (kabsch), sampson (bearings)")
       ->capture_default_str();
   app.add_option("--detector", o.features.detector, "orb")->capture_default_str();
   app.add_option("--descriptor", o.features.descriptor, "orb")->capture_default_str();
   app.add_option("--features", o.features.count, "features asked for in a frame")->capture_default_str();
   app.add_option("--matcher", o.matcher, "brute-force (exact, cross-checked)")->capture_default_str();
+  app.add_option("--subpixel", o.subpixel, "matches to fractions of a pixel: align (patches), or none")
+      ->capture_default_str();
   app.add_option("--refine", o.refine, "the inliers once more, weighed by their noise: covariance, or none")
       ->capture_default_str();
   app.add_option("--keypoint-sigma-px", o.keypoint_sigma_px,
@@ -285,7 +291,7 @@ void add_run(CLI::App& program, Action& action) {
   app->footer(
       "Examples:\n"
       "  framewise run rgbd_dataset_freiburg1_desk --out out/desk\n"
-      "  framewise run my_recording --camera my_camera.yaml --solver eight-point --scale depth --out "
+      "  framewise run my_recording --camera my_camera.yaml --solver nister-5pt --scale depth --out "
       "out/mine");
   app->callback([command, app, &action] { action = [command, app] { return run(*command, *app); }; });
 }

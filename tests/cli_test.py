@@ -93,7 +93,7 @@ class Run(Recording):
 
     def test_eight_point_takes_its_scale_from_depth_truth_or_nowhere(self):
         for scale in ("depth", "truth", "none"):
-            result = self.run_data("--solver", "eight-point", "--scale", scale, "--refine", "none")
+            result = self.run_data("--solver", "eight-point", "--scale", scale)
             self.assertEqual(result.returncode, 0, result.stderr)
             frames = list(csv.DictReader((self.out / "frames.csv").open()))
             lengths = [math.hypot(*(float(r[f"step_t{axis}"]) for axis in "xyz")) for r in frames[1:] if r["status"] == "ok"]
@@ -103,6 +103,15 @@ class Run(Recording):
                     self.assertAlmostEqual(length, 1, 9)
                 else:
                     self.assertLess(length, 0.2)
+
+    def test_every_solver_follows_the_camera(self):
+        for solver in ("eight-point", "seven-point", "nister-5pt", "stewenius-5pt", "kneip-5pt-rotation", "eigensolver"):
+            result = self.run_data("--solver", solver, "--scale", "depth")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            evaluation = json.loads((self.out / "run.json").read_text())["evaluation"]
+            self.assertEqual(evaluation["coverage"], 1, solver)
+            still = evaluation["static_baseline"]["rpe_rotation_deg"]
+            self.assertLess(evaluation["rpe"]["rotation_deg"]["rmse"], 0.6 * still, solver)
 
     def test_repeats_itself_to_the_byte_at_any_thread_count(self):
         answers = set()

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "framewise/features/features.h"
@@ -12,15 +13,24 @@
 
 namespace framewise {
 
-// What odometry keeps of a frame: its features with their bearings and, where depth is known, their points.
-// bearings[i] and points[i] belong to features.keypoints[i].
+// What a camera saw at a pixel.
+struct Sighting {
+  Bearing bearing;        // unit length
+  Eigen::Vector3d point;  // in the camera (m); NaN where depth is unknown
+};
+
+// What odometry keeps of a frame: its images and its features with their bearings and, where depth is known,
+// their points. sightings[i] belongs to features.keypoints[i].
 struct Observation {
   double time = 0;  // s
   Features features;
-  std::vector<Bearing> bearings;        // unit length; features the lens model cannot explain are left out
-  std::vector<Eigen::Vector3d> points;  // in the camera (m); NaN where depth is unknown
-  bool has_depth = false;               // the frame came with a depth image
+  std::vector<Sighting> sightings;  // features that the lens model cannot explain are left out
+  cv::Mat gray, depth;              // as in Frame; depth may be empty
 };
+
+// Empty where the lens model has no bearing for the pixel.
+std::optional<Sighting> sight(const cv::Mat& depth, const cv::Point2f& pixel, const Camera& camera,
+                              const DepthLookupOptions& options);
 
 Observation observe(const Frame& frame, const Camera& camera, const FeatureOptions& features,
                     const DepthLookupOptions& depth);

@@ -4,17 +4,32 @@
 
 #include <initializer_list>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace framewise {
 namespace {
 
-void require_one_of(const char* option, const std::string& found, std::initializer_list<const char*> known) {
+constexpr std::pair<const char*, RelativePoseSolver> kBearingSolvers[] = {
+    {"eight-point", RelativePoseSolver::kEightPoint},
+    {"seven-point", RelativePoseSolver::kSevenPoint},
+    {"nister-5pt", RelativePoseSolver::kNister5pt},
+    {"stewenius-5pt", RelativePoseSolver::kStewenius5pt},
+    {"kneip-5pt-rotation", RelativePoseSolver::kKneip5ptRotation},
+    {"eigensolver", RelativePoseSolver::kEigensolver}};
+
+template <typename Names>
+void require_one_of(const char* option, const std::string& found, const Names& known) {
   std::string expected;
   for (const char* name : known) {
     if (found == name) return;
     expected += (expected.empty() ? "" : ", ") + std::string(name);
   }
   throw std::invalid_argument(std::string(option) + ": found '" + found + "', expected one of " + expected);
+}
+
+void require_one_of(const char* option, const std::string& found, std::initializer_list<const char*> known) {
+  require_one_of<std::initializer_list<const char*>>(option, found, known);
 }
 
 void require(bool holds, const char* option, double found, const char* expected) {
@@ -25,13 +40,21 @@ void require(bool holds, const char* option, double found, const char* expected)
 
 }  // namespace
 
+RelativePoseSolver OdometryOptions::relative_pose_solver() const {
+  for (const auto& [name, relative_pose_solver] : kBearingSolvers)
+    if (solver == name) return relative_pose_solver;
+  throw std::invalid_argument("solver: found '" + solver + "', expected one that uses bearings");
+}
+
 void OdometryOptions::check() const {
-  require_one_of("solver", solver, {"kabsch", "eight-point"});
-  if (solver == "kabsch")
+  std::vector<const char*> solvers{"kabsch"};
+  for (const auto& [name, relative_pose_solver] : kBearingSolvers) solvers.push_back(name);
+  require_one_of("solver", solver, solvers);
+  if (uses_points())
     require_one_of("error (with solver kabsch)", error, {"default", "point-to-point"});
   else
-    require_one_of("error (with solver eight-point)", error, {"default", "sampson"});
-  if (solver == "kabsch")
+    require_one_of("error (with a solver that uses bearings)", error, {"default", "sampson"});
+  if (uses_points())
     require_one_of("scale (with solver kabsch, which is metric)", scale, {"depth"});
   else
     require_one_of("scale", scale, {"depth", "truth", "none"});
@@ -39,6 +62,7 @@ void OdometryOptions::check() const {
   require(keypoint_sigma_px > 0, "keypoint-sigma-px", keypoint_sigma_px, "more than 0");
   depth_noise.check();
   require_one_of("matcher", matcher, {"brute-force"});
+  require_one_of("subpixel", subpixel, {"align", "none"});
   require(max_error_m > 0, "max-error-m", max_error_m, "more than 0");
   require(max_error_px > 0, "max-error-px", max_error_px, "more than 0");
   require(min_inliers >= 8, "min-inliers", min_inliers, "at least 8");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "framewise/features/matching.h"
+#include "framewise/features/patch_alignment.h"
 #include "framewise/odometry/scale.h"
 #include "framewise/robust/registration.h"
 #include "framewise/robust/relative_pose.h"
@@ -14,22 +15,52 @@
 namespace framewise {
 namespace {
 
-// What two observations share: the features of every match, in the same order.
-struct SharedSight {
+// What two observations share: an entry for every match, in the same order in all.
+struct Shared {
   std::vector<Bearing> x1, x2;
   std::vector<Eigen::Vector3d> X1, X2;  // NaN where depth is unknown
+  std::vector<double> sigma1, sigma2;   // noise of the bearings (rad)
 };
 
-SharedSight share(const Observation& frame1, const Observation& frame2,
-                  const std::vector<FeatureMatch>& matches) {
-  SharedSight sight;
+// Where the features of frame 2 are, to fractions of a pixel; and which of them were found there.
+struct Positions {
+  std::vector<cv::Point2f> pixels;
+  std::vector<bool> moved;
+};
+
+Positions positions_in_frame2(const Observation& frame1, const Observation& frame2,
+                              const std::vector<FeatureMatch>& matches, const OdometryOptions& options) {
+  std::vector<cv::Point2f> pixels1, found;
   for (const FeatureMatch& match : matches) {
-    sight.x1.push_back(frame1.bearings[match.index1]);
-    sight.x2.push_back(frame2.bearings[match.index2]);
-    sight.X1.push_back(frame1.points[match.index1]);
-    sight.X2.push_back(frame2.points[match.index2]);
+    pixels1.push_back(frame1.features.keypoints[match.index1].pt);
+    found.push_back(frame2.features.keypoints[match.index2].pt);
   }
-  return sight;
+  Positions positions{found, std::vector<bool>(found.size(), false)};
+  if (options.subpixel == "none") return positions;
+  align_patches(frame1.gray, frame2.gray, pixels1, positions.pixels);
+  for (std::size_t i = 0; i < found.size(); ++i) positions.moved[i] = positions.pixels[i] != found[i];
+  return positions;
+}
+
+Shared share(const Observation& frame1, const Observation& frame2, const std::vector<FeatureMatch>& matches,
+             const Camera& camera, const OdometryOptions& options) {
+  const Positions positions = positions_in_frame2(frame1, frame2, matches, options);
+  Shared shared;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const auto [index1, index2, distance] = matches[i];
+    const Sighting& first = frame1.sightings[index1];
+    const auto moved =
+        positions.moved[i] ? sight(frame2.depth, positions.pixels[i], camera, options.depth) : std::nullopt;
+    const Sighting& second = moved ? *moved : frame2.sightings[index2];
+    shared.x1.push_back(first.bearing);
+    shared.x2.push_back(second.bearing);
+    shared.X1.push_back(first.point);
+    shared.X2.push_back(second.point);
+    const double sigma = options.keypoint_sigma_px / std::abs(camera.fx);
+    shared.sigma1.push_back(sigma * frame1.features.scale(index1));
+    shared.sigma2.push_back(sigma * frame2.features.scale(index2));
+  }
+  return shared;
 }
 
 // The matches whose points are known in both frames, with their covariances (m^2).
@@ -49,19 +80,15 @@ struct SharedPoints {
   }
 };
 
-SharedPoints share_points(const Observation& frame1, const Observation& frame2,
-                          const std::vector<FeatureMatch>& matches, const Camera& camera,
-                          const OdometryOptions& options) {
-  const auto covariance = [&](const Observation& frame, int index) {
-    const double sigma = options.keypoint_sigma_px * frame.features.scale(index) / std::abs(camera.fx);
-    const double z = frame.points[index].z();
-    return point_covariance(frame.bearings[index], z, sigma, options.depth_noise.sigma(z));
+SharedPoints points_of(const Shared& shared, const DepthNoise& noise) {
+  const auto covariance = [&](const Bearing& x, const Eigen::Vector3d& X, double sigma) {
+    return point_covariance(x, X.z(), sigma, noise.sigma(X.z()));
   };
   SharedPoints points;
-  for (const FeatureMatch& m : matches)
-    if (frame1.points[m.index1].allFinite() && frame2.points[m.index2].allFinite())
-      points.add(frame1.points[m.index1], covariance(frame1, m.index1), frame2.points[m.index2],
-                 covariance(frame2, m.index2));
+  for (std::size_t i = 0; i < shared.x1.size(); ++i)
+    if (shared.X1[i].allFinite() && shared.X2[i].allFinite())
+      points.add(shared.X1[i], covariance(shared.x1[i], shared.X1[i], shared.sigma1[i]), shared.X2[i],
+                 covariance(shared.x2[i], shared.X2[i], shared.sigma2[i]));
   return points;
 }
 
@@ -107,23 +134,23 @@ Step register_points(Step step, const SharedPoints& points, const OdometryOption
   return step;
 }
 
-Step relate_bearings(Step step, const SharedSight& sight, const Camera& camera,
-                     const OdometryOptions& options, std::uint64_t seed, std::optional<double> true_length) {
+Step relate_bearings(Step step, const Shared& shared, const Camera& camera, const OdometryOptions& options,
+                     std::uint64_t seed, std::optional<double> true_length) {
   if (step.matches < options.min_inliers) return step;
   RelativePoseOptions relative;
   relative.ransac = options.ransac;
   relative.ransac.seed = seed;
-  relative.solver = RelativePoseSolver::kEightPoint;
+  relative.solver = options.relative_pose_solver();
   relative.max_error = options.max_error_px / std::abs(camera.fx);
   relative.final_refinement = options.refine != "none";
-  const auto estimate = estimate_relative_pose(sight.x1, sight.x2, relative);
+  const auto estimate = estimate_relative_pose(shared.x1, shared.x2, relative);
   step = with_estimate(step, estimate, options.min_inliers);
   if (!is_measured(step.status) || step.status == Status::kRotationOnly || options.scale == "none")
     return step;
 
   const auto length = options.scale == "truth"
                           ? true_length
-                          : length_from_depth(step.cam2_from_cam1, sight.X1, sight.X2, estimate->inliers);
+                          : length_from_depth(step.cam2_from_cam1, shared.X1, shared.X2, estimate->inliers);
   if (length)
     step.cam2_from_cam1.t *= *length;
   else
@@ -136,15 +163,16 @@ Step relate_bearings(Step step, const SharedSight& sight, const Camera& camera,
 Step estimate_step(const Observation& frame1, const Observation& frame2, const Camera& camera,
                    const OdometryOptions& options, std::uint64_t seed, std::optional<double> true_length) {
   Step step;
-  if (options.needs_depth() && !(frame1.has_depth && frame2.has_depth)) {
+  if (options.needs_depth() && (frame1.depth.empty() || frame2.depth.empty())) {
     step.status = Status::kNoDepth;
     return step;
   }
   const auto matches = match_brute_force(frame1.features.descriptors, frame2.features.descriptors);
   step.matches = static_cast<int>(matches.size());
-  if (options.solver == "kabsch")
-    return register_points(step, share_points(frame1, frame2, matches, camera, options), options, seed);
-  return relate_bearings(step, share(frame1, frame2, matches), camera, options, seed, true_length);
+  const Shared shared = share(frame1, frame2, matches, camera, options);
+  if (options.uses_points())
+    return register_points(step, points_of(shared, options.depth_noise), options, seed);
+  return relate_bearings(step, shared, camera, options, seed, true_length);
 }
 
 }  // namespace framewise

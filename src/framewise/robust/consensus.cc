@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "framewise/geometry/epipolar.h"
 #include "framewise/solvers/decompose_essential.h"
@@ -107,6 +108,28 @@ FrontVote choose_by_parallax(const TwoViews& views, const Pose& pose, double max
   }
   const auto best = std::max_element(votes.begin(), votes.end());
   return {poses[static_cast<std::size_t>(best - votes.begin())], sum > 0 ? *best / sum : 0};
+}
+
+double unlikelihood(const TwoViews& views, const Pose& pose, double max_error) {
+  constexpr double kRight = 0.8;
+  std::vector<double> residuals(views.x1.size());
+  for (std::size_t i = 0; i < residuals.size(); ++i)
+    residuals[i] = epipolar_distance(views, pose, i) / max_error;
+  const double median_sigma = kMedianToSigma * quantile(residuals, 0.5);
+  double least = std::numeric_limits<double>::infinity();
+  for (const double factor : {1.0, 1.6, 2.6}) {
+    const double sigma = std::clamp(factor * median_sigma, 1e-6, 0.5);
+    const double right = kRight * 2 / (std::sqrt(2 * M_PI) * sigma), exponent = -0.5 / (sigma * sigma);
+    double cost = 0, product = 1;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+      product *= right * std::exp(exponent * residuals[i] * residuals[i]) + 1 - kRight;
+      if (i % 8 != 7) continue;  // a logarithm for eight
+      cost -= 2 * std::log(product);
+      product = 1;
+    }
+    least = std::min(least, cost - 2 * std::log(product));
+  }
+  return least;
 }
 
 }  // namespace framewise

@@ -45,4 +45,9 @@ FrontVote choose_by_parallax(const TwoViews& views, const Pose& pose, double max
 // Sampson's distance (pixels / focal length, or rad).
 double epipolar_distance(const TwoViews& views, const Pose& pose, std::size_t i);
 
+// -2 log likelihood of all correspondences: each is right, with Gaussian noise, or wrong, with a residual
+// that is anything up to max_error. The noise is what the residuals show, so that a motion which fits many
+// points very well wins over one that fits all of them not so well.
+double unlikelihood(const TwoViews& views, const Pose& pose, double max_error);
+
 }  // namespace framewise

@@ -30,6 +30,22 @@ Pose pose_of(const EpipolarModel& model, const TwoViews& views, const RelativePo
   return pose;
 }
 
+// Where the noise turns out to be far below the threshold, points with a motion of their own (the outlines of
+// things before others) pass as inliers, and bend the motion. A second search at the noise level cannot be
+// bent.
+Consensus find_finest_consensus(const TwoViews& views, const EpipolarProblem& problem,
+                                const RelativePoseOptions& options, const Pose& coarse, double widest) {
+  const Consensus first = find_consensus(views, coarse, widest);
+  const double fine_error = 2 * first.sigma;
+  if (first.members.empty() || !(fine_error < 0.5 * options.max_error)) return first;
+  const auto found = ransac(problem, options.ransac, fine_error);
+  if (!found) return first;
+  const Consensus second = find_consensus(views, pose_of(found->model, views, options), widest);
+  if (second.members.empty()) return first;
+  const auto cost = [&](const Consensus& c) { return unlikelihood(views, c.refined.pose, widest); };
+  return cost(second) < cost(first) ? second : first;
+}
+
 void mark_inliers(Estimate& estimate, const EpipolarProblem& problem, const Pose& pose, double max_error) {
   estimate.inliers.assign(problem.size(), 0);
   estimate.num_inliers = 0;
@@ -79,7 +95,7 @@ std::optional<Estimate> estimate_relative_pose(std::span<const Bearing> x1, std:
   estimate.cam2_from_cam1 = pose;
   if (options.final_refinement) {
     const double widest = std::min(options.max_error, options.refinement_error);
-    const Consensus consensus = find_consensus(views, pose, widest);
+    const Consensus consensus = find_finest_consensus(views, problem, options, pose, widest);
     if (!consensus.members.empty()) {
       const Settled settled = settle_minimum(views, consensus, widest);
       const Support support = what_data_support(views, settled);

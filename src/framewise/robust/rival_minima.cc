@@ -22,7 +22,6 @@ constexpr double kSameMinimum = 1e-3;
 constexpr double kFarAway = 10 * M_PI / 180;
 constexpr double kAsGood = 6;  // times the root of the number of members
 constexpr double kFewestInFront = 0.9;
-constexpr double kOutlierCost = 10;  // squared sigmas
 
 std::vector<Pose> starts(std::span<const Bearing> x1, std::span<const Bearing> x2) {
   std::vector<Pose> poses;
@@ -57,16 +56,6 @@ struct Minimum {
   double cost;
 };
 
-// Over all correspondences, members or not.
-double cost_of_all(const TwoViews& views, const Pose& pose, double sigma) {
-  double cost = 0;
-  for (std::size_t i = 0; i < views.x1.size(); ++i) {
-    const double r = epipolar_distance(views, pose, i) / sigma;
-    cost += std::min(r * r, kOutlierCost);
-  }
-  return cost;
-}
-
 }  // namespace
 
 Settled settle_minimum(const TwoViews& views, const Consensus& consensus, double max_error) {
@@ -81,14 +70,14 @@ Settled settle_minimum(const TwoViews& views, const Consensus& consensus, double
   refine.tolerance = 1e-2;
 
   std::vector<Minimum> minima{
-      {consensus.refined.pose, cost_of_all(views, consensus.refined.pose, refine.sigma)}};
+      {consensus.refined.pose, unlikelihood(views, consensus.refined.pose, max_error)}};
   std::size_t best = 0;
   const double margin = kAsGood * std::sqrt(static_cast<double>(consensus.members.size()));
   for (const Pose& start : starts(x1, x2)) {
     if (!start.R.allFinite() || !start.t.allFinite()) continue;
-    Minimum minimum{start, cost_of_all(views, start, refine.sigma)};
+    Minimum minimum{start, unlikelihood(views, start, max_error)};
     const Pose descended = refine_relative_pose(start, pairs, refine).pose;
-    const double cost = cost_of_all(views, descended, refine.sigma);
+    const double cost = unlikelihood(views, descended, max_error);
     if (cost < minimum.cost) minimum = {descended, cost};
     if (minimum.cost > minima[best].cost + margin || same_essential(minimum.pose, minima[0].pose)) continue;
     const FrontVote vote = choose_by_parallax(views, minimum.pose, kCut * refine.sigma, max_error);
