@@ -33,20 +33,19 @@ class Fingerprint {
   std::uint64_t hash_ = 0xcbf29ce484222325ull;
 };
 
-fs::path existing_file(const fs::path& list, const ListedFile& listed, Fingerprint& fingerprint) {
+std::string existing_file(const fs::path& list, const ListedFile& listed, Fingerprint& fingerprint) {
   const fs::path path = list.parent_path() / listed.file;
   std::error_code error;
   const auto size = fs::file_size(path, error);
-  if (error)
-    throw InputError(list, listed.line, "", fmt::format("'{}'", listed.file.string()), "a file that exists");
-  fingerprint.add(fmt::format("{} {} {}\n", listed.time, listed.file.generic_string(), size));
-  return path;
+  if (error) throw InputError(list, listed.line, "", fmt::format("'{}'", listed.file), "a file that exists");
+  fingerprint.add(fmt::format("{} {} {}\n", listed.time, listed.file, size));
+  return path.string();
 }
 
 std::vector<FrameFiles> frames_from_associations(const fs::path& list, Fingerprint& fingerprint) {
   std::vector<FrameFiles> frames;
   for (const AssociatedFiles& pair : read_association_list(list)) {
-    const fs::path color = existing_file(list, pair.color, fingerprint);
+    const std::string color = existing_file(list, pair.color, fingerprint);
     frames.push_back({pair.color.time, color, existing_file(list, pair.depth, fingerprint)});
   }
   return frames;

@@ -27,8 +27,8 @@ struct DatasetOptions {
 
 struct FrameFiles {
   double time = 0;  // of the colour image (s)
-  std::filesystem::path color;
-  std::filesystem::path depth;  // empty where no depth image is close enough in time
+  std::string color;
+  std::string depth;  // empty where no depth image is close enough in time
 };
 
 // A recording on disk: what there is, nothing decoded.

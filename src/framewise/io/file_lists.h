@@ -10,8 +10,8 @@ namespace framewise {
 
 // A line of a list: a time and the file recorded then.
 struct ListedFile {
-  double time = 0;             // s
-  std::filesystem::path file;  // as written, relative to the list
+  double time = 0;   // s
+  std::string file;  // as written, relative to the list; a path object takes a kilobyte, and there are many
   int line = 0;
 };
 
