@@ -46,14 +46,14 @@ int run(EvaluateCommand& command) {
   options.alignment = alignment_from_name(command.align);
   options.relative.unit = delta_unit_from_name(command.unit);
   options.association.method = choose<AssociationMethod>("association", command.association,
-                                                         {{"nearest", AssociationMethod::nearest},
-                                                          {"greedy", AssociationMethod::greedy},
-                                                          {"interpolated", AssociationMethod::interpolated},
-                                                          {"index", AssociationMethod::index}});
+                                                         {{"nearest", AssociationMethod::kNearest},
+                                                          {"greedy", AssociationMethod::kGreedy},
+                                                          {"interpolated", AssociationMethod::kInterpolated},
+                                                          {"index", AssociationMethod::kIndex}});
   if (!command.pairs.empty())
     options.relative.pairs = choose<PairChoice>(
         "pairs", command.pairs,
-        {{"consecutive", PairChoice::consecutive}, {"all", PairChoice::all}, {"tum", PairChoice::tum}});
+        {{"consecutive", PairChoice::kConsecutive}, {"all", PairChoice::kAll}, {"tum", PairChoice::kTum}});
   options.check();
 
   const Trajectory reference = read_reference(command.reference);

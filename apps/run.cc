@@ -124,7 +124,7 @@ std::optional<Evaluation> evaluate_run(const RunCommand& command, const Dataset&
   if (truth.size() < 2 || tally.frames < 2) return std::nullopt;
   EvaluationOptions options;
   options.association.max_difference = 1e-6;
-  if (command.odometry.scale == "none") options.alignment = Alignment::sim3;
+  if (command.odometry.scale == "none") options.alignment = Alignment::kSim3;
   try {
     return evaluate(truth, tally.trajectory, options);
   } catch (const std::invalid_argument&) {

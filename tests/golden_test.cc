@@ -55,55 +55,55 @@ Command parse(const std::string& line) {
 }
 
 const std::map<std::string, std::pair<PoseRelation, double>> relations = {
-    {"trans_part", {PoseRelation::translation, 1}},
-    {"angle_deg", {PoseRelation::rotation_angle, 180 / M_PI}},
-    {"angle_rad", {PoseRelation::rotation_angle, 1}},
-    {"rot_part", {PoseRelation::rotation_part, 1}},
-    {"full", {PoseRelation::full, 1}},
-    {"point_distance", {PoseRelation::point_distance, 1}},
-    {"point_distance_error_ratio", {PoseRelation::point_distance_ratio, 100}}};
+    {"trans_part", {PoseRelation::kTranslation, 1}},
+    {"angle_deg", {PoseRelation::kRotationAngle, 180 / M_PI}},
+    {"angle_rad", {PoseRelation::kRotationAngle, 1}},
+    {"rot_part", {PoseRelation::kRotationPart, 1}},
+    {"full", {PoseRelation::kFull, 1}},
+    {"point_distance", {PoseRelation::kPointDistance, 1}},
+    {"point_distance_error_ratio", {PoseRelation::kPointDistanceRatio, 100}}};
 
 DeltaUnit unit_of(const std::string& letter) {
-  return letter == "s"   ? DeltaUnit::seconds
-         : letter == "m" ? DeltaUnit::metres
-         : letter == "d" ? DeltaUnit::degrees
-         : letter == "r" ? DeltaUnit::radians
-                         : DeltaUnit::frames;
+  return letter == "s"   ? DeltaUnit::kSeconds
+         : letter == "m" ? DeltaUnit::kMetres
+         : letter == "d" ? DeltaUnit::kDegrees
+         : letter == "r" ? DeltaUnit::kRadians
+                         : DeltaUnit::kFrames;
 }
 
 EvaluationOptions evo_options(const Command& command) {
   EvaluationOptions options;
   options.association.max_difference = command.value("--t_max_diff", 0.01);
   options.association.time_offset = command.value("--t_offset", 0);
-  if (command.files[0] == "kitti") options.association.method = AssociationMethod::index;
+  if (command.files[0] == "kitti") options.association.method = AssociationMethod::kIndex;
   options.from_time = command.value("--t_start", options.from_time);
   options.to_time = command.value("--t_end", options.to_time);
-  options.alignment = command.has("-a")               ? Alignment::se3
-                      : command.has("-as")            ? Alignment::sim3
-                      : command.has("-s")             ? Alignment::scale
-                      : command.has("--align_origin") ? Alignment::origin
-                                                      : Alignment::none;
+  options.alignment = command.has("-a")               ? Alignment::kSe3
+                      : command.has("-as")            ? Alignment::kSim3
+                      : command.has("-s")             ? Alignment::kScale
+                      : command.has("--align_origin") ? Alignment::kOrigin
+                                                      : Alignment::kNone;
   options.poses_to_align = static_cast<std::size_t>(command.value("--n_to_align", 0));
   const std::string plane = command.text("--project_to_plane", "");
-  if (plane == "xy") options.plane = Plane::xy;
-  if (plane == "xz") options.plane = Plane::xz;
+  if (plane == "xy") options.plane = Plane::kXy;
+  if (plane == "xz") options.plane = Plane::kXz;
   options.relative.delta = command.value("-d", 1);
   options.relative.unit = unit_of(command.text("-u", "f"));
   options.relative.tolerance = command.value("-t", 0.1);
-  options.relative.pairs = command.has("--all_pairs") ? PairChoice::all : PairChoice::consecutive;
+  options.relative.pairs = command.has("--all_pairs") ? PairChoice::kAll : PairChoice::kConsecutive;
   options.relative.pairs_from_reference = command.has("--pairs_from_reference");
   return options;
 }
 
 EvaluationOptions tum_options(const Command& command) {
   EvaluationOptions options;
-  options.association.method = AssociationMethod::greedy;
+  options.association.method = AssociationMethod::kGreedy;
   options.association.max_difference = command.value("--max_difference", 0.02);
   options.association.time_offset = command.value("--offset", 0);
   options.estimate_scale = command.value("--scale", 1);
   options.relative.delta = command.value("--delta", 1);
   options.relative.unit = unit_of(command.text("--delta_unit", "s"));
-  options.relative.pairs = PairChoice::tum;
+  options.relative.pairs = PairChoice::kTum;
   return options;
 }
 
@@ -147,7 +147,7 @@ void expect_evo(const fs::path& folder, const Json& record) {
   for (std::size_t i = 0; i < record.at("first3").size(); ++i)
     expect_relative(errors[i], record["first3"][i], "error " + std::to_string(i), 1e-12);
   expect_relative(errors.back(), record.at("last"), "last error", 1e-12);
-  if (!record.contains("alignment_sim3") || options.alignment == Alignment::scale) return;
+  if (!record.contains("alignment_sim3") || options.alignment == Alignment::kScale) return;
   const Similarity& found = e.reference_from_estimate;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 4; ++j)

@@ -61,9 +61,9 @@ TrajectoryPair interpolated_reference(const Trajectory& reference, const Traject
 std::vector<Match> matches_of(const Trajectory& reference, const Trajectory& estimate,
                               const AssociationOptions& options) {
   switch (options.method) {
-    case AssociationMethod::greedy:
+    case AssociationMethod::kGreedy:
       return associate_greedy(reference.times, estimate.times, options.max_difference, options.time_offset);
-    case AssociationMethod::index: {
+    case AssociationMethod::kIndex: {
       if (reference.size() != estimate.size())
         throw std::invalid_argument("association by index: reference has " +
                                     std::to_string(reference.size()) + " poses, estimate has " +
@@ -132,7 +132,7 @@ TrajectoryPair associate(const Trajectory& reference, const Trajectory& estimate
   if (reference.empty()) throw std::invalid_argument("reference has no poses, expected one or more");
   if (estimate.empty()) throw std::invalid_argument("estimate has no poses, expected one or more");
   TrajectoryPair pair;
-  if (options.method == AssociationMethod::interpolated) {
+  if (options.method == AssociationMethod::kInterpolated) {
     pair = interpolated_reference(reference, estimate, options);
   } else {
     for (const Match& m : matches_of(reference, estimate, options)) {

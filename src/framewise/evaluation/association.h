@@ -18,10 +18,10 @@ namespace framewise {
 //   interpolated: the reference is moved to every stamp of the estimate, linear and slerp, between two poses
 //     that are at most 2 max_difference apart: no stamp error is left.
 //   index: pose i with pose i; the lengths must be equal. For files without stamps (KITTI).
-enum class AssociationMethod { nearest, greedy, interpolated, index };
+enum class AssociationMethod { kNearest, kGreedy, kInterpolated, kIndex };
 
 struct AssociationOptions {
-  AssociationMethod method = AssociationMethod::nearest;
+  AssociationMethod method = AssociationMethod::kNearest;
   double max_difference = 0.01;  // s; evo's default. The TUM tools use 0.02.
   double time_offset = 0;        // s, added to the estimate's stamps
 };

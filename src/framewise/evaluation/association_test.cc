@@ -58,7 +58,7 @@ TEST(Association, TheOffsetIsAddedToTheEstimate) {
 
 TEST(Association, InterpolationPutsTheReferenceAtTheStampAndNotIntoItsGaps) {
   const TrajectoryPair pair = associate(along_x({0, 0.02, 5, 5.02}), along_x({0.015, 2, 5.005}),
-                                        {.method = AssociationMethod::interpolated});
+                                        {.method = AssociationMethod::kInterpolated});
   ASSERT_EQ(pair.size(), 2u);
   EXPECT_DOUBLE_EQ(pair.reference.world_from_cam[0].t.x(), 0.015);
   EXPECT_DOUBLE_EQ(pair.reference.world_from_cam[1].t.x(), 5.005);
@@ -76,7 +76,7 @@ TEST(Association, NoMatchSaysHowManyPosesWhenAndTheLimit) {
 }
 
 TEST(Association, ByIndexRefusesOtherLengths) {
-  EXPECT_THROW(associate(along_x({1, 2, 3}), along_x({1, 2}), {.method = AssociationMethod::index}),
+  EXPECT_THROW(associate(along_x({1, 2, 3}), along_x({1, 2}), {.method = AssociationMethod::kIndex}),
                std::invalid_argument);
   EXPECT_THROW(associate({}, along_x({1, 2}), {}), std::invalid_argument);
   EXPECT_THROW(associate(along_x({1, 2}), {}, {}), std::invalid_argument);

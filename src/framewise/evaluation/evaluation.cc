@@ -52,8 +52,8 @@ std::optional<RelativeErrors> relative_errors_of(const std::vector<RelativeMotio
                                                  RelativeErrorOrder order) {
   if (motions.empty()) return std::nullopt;
   return RelativeErrors{
-      statistics(relative_errors(motions, PoseRelation::translation, order)),
-      statistics(in_degrees(relative_errors(motions, PoseRelation::rotation_angle, order)))};
+      statistics(relative_errors(motions, PoseRelation::kTranslation, order)),
+      statistics(in_degrees(relative_errors(motions, PoseRelation::kRotationAngle, order)))};
 }
 
 // The position at which a camera that stands still ends up. Every alignment that may move it freely puts it
@@ -61,10 +61,10 @@ std::optional<RelativeErrors> relative_errors_of(const std::vector<RelativeMotio
 Eigen::Vector3d resting_place(const TrajectoryPair& unaligned, const EvaluationOptions& options) {
   const auto& reference = unaligned.reference.world_from_cam;
   switch (options.alignment) {
-    case Alignment::none:
-    case Alignment::scale:
+    case Alignment::kNone:
+    case Alignment::kScale:
       return unaligned.estimate.world_from_cam[0].t;
-    case Alignment::origin:
+    case Alignment::kOrigin:
       return reference[0].t;
     default: {
       const std::size_t n =
@@ -85,7 +85,7 @@ StaticBaseline static_baseline(const TrajectoryPair& unaligned, std::vector<Rela
     still.estimate = projected(still.estimate, *options.plane);
   }
   StaticBaseline baseline;
-  baseline.ate = statistics(absolute_errors(still, PoseRelation::translation)).rmse;
+  baseline.ate = statistics(absolute_errors(still, PoseRelation::kTranslation)).rmse;
   for (RelativeMotion& motion : motions) {
     motion.estimate = Pose{};
     motion.estimate_distance = 0;
@@ -100,7 +100,7 @@ StaticBaseline static_baseline(const TrajectoryPair& unaligned, std::vector<Rela
 std::vector<RelativeMotion> motions_of(const TrajectoryPair& poses, Trajectory reference, Trajectory estimate,
                                        const EvaluationOptions& options) {
   const RelativeErrorOptions& relative = options.relative;
-  if (relative.resolved_pairs() != PairChoice::tum) return relative_motions(poses, relative);
+  if (relative.resolved_pairs() != PairChoice::kTum) return relative_motions(poses, relative);
   if (options.plane) {
     reference = projected(reference, *options.plane);
     estimate = projected(estimate, *options.plane);
@@ -111,10 +111,10 @@ std::vector<RelativeMotion> motions_of(const TrajectoryPair& poses, Trajectory r
 
 double time_span(const Trajectory& trajectory) { return trajectory.times.back() - trajectory.times.front(); }
 
-constexpr std::array alignments = {Alignment::none,  Alignment::se3, Alignment::sim3,
-                                   Alignment::scale, Alignment::yaw, Alignment::origin};
-constexpr std::array delta_units = {DeltaUnit::frames, DeltaUnit::seconds, DeltaUnit::metres,
-                                    DeltaUnit::degrees, DeltaUnit::radians};
+constexpr std::array alignments = {Alignment::kNone,  Alignment::kSe3, Alignment::kSim3,
+                                   Alignment::kScale, Alignment::kYaw, Alignment::kOrigin};
+constexpr std::array delta_units = {DeltaUnit::kFrames, DeltaUnit::kSeconds, DeltaUnit::kMetres,
+                                    DeltaUnit::kDegrees, DeltaUnit::kRadians};
 
 template <class Names>
 auto from_name(const Names& values, const std::string& name, const std::string& what) {
@@ -167,8 +167,8 @@ Evaluation evaluate(const Trajectory& reference, const Trajectory& estimate,
     e.poses = {projected(e.poses.reference, *options.plane), projected(e.poses.estimate, *options.plane)};
   e.motions = motions_of(e.poses, truth, transformed(e.reference_from_estimate, scaled), e.options);
 
-  e.ate = statistics(absolute_errors(e.poses, PoseRelation::translation));
-  e.ate_rotation_deg = statistics(in_degrees(absolute_errors(e.poses, PoseRelation::rotation_angle)));
+  e.ate = statistics(absolute_errors(e.poses, PoseRelation::kTranslation));
+  e.ate_rotation_deg = statistics(in_degrees(absolute_errors(e.poses, PoseRelation::kRotationAngle)));
   e.rpe = relative_errors_of(e.motions, e.options.relative.resolved_order());
   e.static_baseline = static_baseline(matched, e.motions, e.options);
 
@@ -185,15 +185,15 @@ Evaluation evaluate(const Trajectory& reference, const Trajectory& estimate,
 
 std::string name_of(Alignment alignment) {
   switch (alignment) {
-    case Alignment::none:
+    case Alignment::kNone:
       return "none";
-    case Alignment::se3:
+    case Alignment::kSe3:
       return "se3";
-    case Alignment::sim3:
+    case Alignment::kSim3:
       return "sim3";
-    case Alignment::scale:
+    case Alignment::kScale:
       return "scale";
-    case Alignment::yaw:
+    case Alignment::kYaw:
       return "yaw";
     default:
       return "origin";

@@ -16,7 +16,7 @@ struct EvaluationOptions {
   AssociationOptions association;
 
   // Odometry starts wherever it likes, so its world is laid onto the truth's; its scale is not forgiven.
-  Alignment alignment = Alignment::se3;
+  Alignment alignment = Alignment::kSe3;
   std::size_t poses_to_align = 0;  // the first so many matched poses; 0: all
   double estimate_scale = 1;  // the estimate's positions are multiplied by this first (TUM tools' --scale)
 

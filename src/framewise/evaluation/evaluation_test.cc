@@ -63,8 +63,8 @@ EvaluationOptions over(double delta, DeltaUnit unit, std::optional<PairChoice> p
 }
 
 TEST(Evaluation, IdenticalTrajectoriesHaveNoError) {
-  for (const Alignment alignment : {Alignment::none, Alignment::se3, Alignment::sim3, Alignment::scale,
-                                    Alignment::yaw, Alignment::origin}) {
+  for (const Alignment alignment : {Alignment::kNone, Alignment::kSe3, Alignment::kSim3, Alignment::kScale,
+                                    Alignment::kYaw, Alignment::kOrigin}) {
     const Evaluation e = evaluate(walk(), walk(), with(alignment));
     EXPECT_LT(e.ate.max, 1e-12) << name_of(alignment);
     EXPECT_LT(e.ate_rotation_deg.max, 1e-12) << name_of(alignment);
@@ -82,21 +82,21 @@ TEST(Evaluation, AteAfterSe3DoesNotKnowWhereTheEstimateLay) {
   EXPECT_GT(here.ate.rmse, 5e-3);
   EXPECT_NEAR(here.ate.rmse, there.ate.rmse, 1e-12);
   EXPECT_NEAR(here.ate_rotation_deg.rmse, there.ate_rotation_deg.rmse, 1e-11);
-  EXPECT_GT(evaluate(walk(), transformed(elsewhere, noisy(walk())), with(Alignment::none)).ate.rmse, 1);
+  EXPECT_GT(evaluate(walk(), transformed(elsewhere, noisy(walk())), with(Alignment::kNone)).ate.rmse, 1);
 }
 
 TEST(Evaluation, RpeDoesNotKnowWhereEitherLay) {
-  const EvaluationOptions cases[] = {over(1, DeltaUnit::frames),
-                                     over(7, DeltaUnit::frames, PairChoice::all),
-                                     over(1, DeltaUnit::seconds),
-                                     over(1, DeltaUnit::seconds, PairChoice::all),
-                                     over(1, DeltaUnit::seconds, PairChoice::consecutive),
-                                     over(0.5, DeltaUnit::metres),
-                                     over(0.5, DeltaUnit::metres, PairChoice::all),
-                                     over(5, DeltaUnit::degrees),
-                                     over(0.1, DeltaUnit::radians, PairChoice::all)};
+  const EvaluationOptions cases[] = {over(1, DeltaUnit::kFrames),
+                                     over(7, DeltaUnit::kFrames, PairChoice::kAll),
+                                     over(1, DeltaUnit::kSeconds),
+                                     over(1, DeltaUnit::kSeconds, PairChoice::kAll),
+                                     over(1, DeltaUnit::kSeconds, PairChoice::kConsecutive),
+                                     over(0.5, DeltaUnit::kMetres),
+                                     over(0.5, DeltaUnit::kMetres, PairChoice::kAll),
+                                     over(5, DeltaUnit::kDegrees),
+                                     over(0.1, DeltaUnit::kRadians, PairChoice::kAll)};
   for (EvaluationOptions options : cases) {
-    options.alignment = Alignment::none;
+    options.alignment = Alignment::kNone;
     const Evaluation here = evaluate(walk(), noisy(walk()), options);
     const Evaluation there =
         evaluate(transformed(elsewhere, walk()), transformed(elsewhere_too, noisy(walk())), options);
@@ -110,7 +110,7 @@ TEST(Evaluation, RpeDoesNotKnowWhereEitherLay) {
 
 TEST(Evaluation, Sim3RecoversAScaledCopyAndSe3DoesNot) {
   const Trajectory copy = transformed({0.25, elsewhere.pose}, walk());
-  const Evaluation e = evaluate(walk(), copy, with(Alignment::sim3));
+  const Evaluation e = evaluate(walk(), copy, with(Alignment::kSim3));
   EXPECT_NEAR(e.reference_from_estimate.scale, 4, 1e-12);
   EXPECT_LT(e.ate.max, 1e-12);
   EXPECT_LT(e.ate_rotation_deg.max, 1e-11);
@@ -119,21 +119,21 @@ TEST(Evaluation, Sim3RecoversAScaledCopyAndSe3DoesNot) {
 }
 
 TEST(Evaluation, ScaleAloneLeavesTheWorldWhereItIs) {
-  const Evaluation e = evaluate(walk(), transformed({0.25, {}}, walk()), with(Alignment::scale));
+  const Evaluation e = evaluate(walk(), transformed({0.25, {}}, walk()), with(Alignment::kScale));
   EXPECT_NEAR(e.reference_from_estimate.scale, 4, 1e-12);
   EXPECT_LT(e.ate.max, 1e-12);
-  EXPECT_GT(evaluate(walk(), transformed({0.25, elsewhere.pose}, walk()), with(Alignment::scale)).ate.rmse,
+  EXPECT_GT(evaluate(walk(), transformed({0.25, elsewhere.pose}, walk()), with(Alignment::kScale)).ate.rmse,
             1);
 }
 
 TEST(Evaluation, YawAlignmentForgivesTurnsAboutGravityOnly) {
   const Similarity turned = {1, {so3_exp({0, 0, 2.5}), {1, 2, 3}}}, tilted = {1, {so3_exp({0.2, 0, 0}), {}}};
-  EXPECT_LT(evaluate(walk(), transformed(turned, walk()), with(Alignment::yaw)).ate.max, 1e-12);
-  EXPECT_GT(evaluate(walk(), transformed(tilted, walk()), with(Alignment::yaw)).ate.rmse, 0.05);
+  EXPECT_LT(evaluate(walk(), transformed(turned, walk()), with(Alignment::kYaw)).ate.max, 1e-12);
+  EXPECT_GT(evaluate(walk(), transformed(tilted, walk()), with(Alignment::kYaw)).ate.rmse, 0.05);
 }
 
 TEST(Evaluation, OriginAlignmentLaysTheFirstPoseOnTheReferences) {
-  const Evaluation e = evaluate(walk(), transformed(elsewhere, noisy(walk())), with(Alignment::origin));
+  const Evaluation e = evaluate(walk(), transformed(elsewhere, noisy(walk())), with(Alignment::kOrigin));
   EXPECT_LT((e.poses.estimate.world_from_cam[0].matrix() - walk().world_from_cam[0].matrix()).norm(), 1e-12);
   EXPECT_LT(e.ate.min, 1e-12);
 }
@@ -145,8 +145,8 @@ TEST(Evaluation, AStraightPathTakesItsFreeTurnFromTheOrientations) {
 }
 
 TEST(Evaluation, TheErrorOrdersAgreeInAngleAndNotInTranslation) {
-  EvaluationOptions evo = over(10, DeltaUnit::frames), tum = evo;
-  tum.relative.order = RelativeErrorOrder::tum;
+  EvaluationOptions evo = over(10, DeltaUnit::kFrames), tum = evo;
+  tum.relative.order = RelativeErrorOrder::kTum;
   const Evaluation a = evaluate(walk(), noisy(walk()), evo), b = evaluate(walk(), noisy(walk()), tum);
   EXPECT_NEAR(a.rpe->rotation_deg.rmse, b.rpe->rotation_deg.rmse, 1e-12);
   EXPECT_GT(std::abs(a.rpe->translation.rmse - b.rpe->translation.rmse), 1e-6);
@@ -162,42 +162,43 @@ TEST(Evaluation, PairsAreThoseOfTheirDefinition) {
   };
   using testing::ElementsAre;
   using testing::Pair;
-  EXPECT_THAT(pairs(4, DeltaUnit::frames, PairChoice::consecutive), ElementsAre(Pair(0, 4), Pair(4, 8)));
-  EXPECT_THAT(pairs(8, DeltaUnit::frames, PairChoice::all), ElementsAre(Pair(0, 8), Pair(1, 9), Pair(2, 10)));
-  EXPECT_THAT(pairs(8, DeltaUnit::frames, PairChoice::tum),
-              ElementsAre(Pair(0, 8), Pair(1, 9)));  // not the last
-  EXPECT_THAT(pairs(4, DeltaUnit::seconds, PairChoice::consecutive), ElementsAre(Pair(0, 4), Pair(4, 8)));
-  EXPECT_THAT(pairs(8, DeltaUnit::seconds, PairChoice::all),
+  EXPECT_THAT(pairs(4, DeltaUnit::kFrames, PairChoice::kConsecutive), ElementsAre(Pair(0, 4), Pair(4, 8)));
+  EXPECT_THAT(pairs(8, DeltaUnit::kFrames, PairChoice::kAll),
               ElementsAre(Pair(0, 8), Pair(1, 9), Pair(2, 10)));
-  EXPECT_THAT(pairs(8, DeltaUnit::seconds, PairChoice::tum), ElementsAre(Pair(0, 8), Pair(1, 9)));
-  EXPECT_THAT(pairs(3, DeltaUnit::metres, PairChoice::consecutive), ElementsAre(Pair(3, 6), Pair(6, 9)));
-  EXPECT_THAT(pairs(9, DeltaUnit::metres, PairChoice::all), ElementsAre(Pair(0, 9), Pair(1, 10)));
-  EXPECT_THAT(pairs(0.0495, DeltaUnit::radians, PairChoice::consecutive),
+  EXPECT_THAT(pairs(8, DeltaUnit::kFrames, PairChoice::kTum),
+              ElementsAre(Pair(0, 8), Pair(1, 9)));  // not the last
+  EXPECT_THAT(pairs(4, DeltaUnit::kSeconds, PairChoice::kConsecutive), ElementsAre(Pair(0, 4), Pair(4, 8)));
+  EXPECT_THAT(pairs(8, DeltaUnit::kSeconds, PairChoice::kAll),
+              ElementsAre(Pair(0, 8), Pair(1, 9), Pair(2, 10)));
+  EXPECT_THAT(pairs(8, DeltaUnit::kSeconds, PairChoice::kTum), ElementsAre(Pair(0, 8), Pair(1, 9)));
+  EXPECT_THAT(pairs(3, DeltaUnit::kMetres, PairChoice::kConsecutive), ElementsAre(Pair(3, 6), Pair(6, 9)));
+  EXPECT_THAT(pairs(9, DeltaUnit::kMetres, PairChoice::kAll), ElementsAre(Pair(0, 9), Pair(1, 10)));
+  EXPECT_THAT(pairs(0.0495, DeltaUnit::kRadians, PairChoice::kConsecutive),
               ElementsAre(Pair(0, 5), Pair(5, 10)));
-  EXPECT_THAT(pairs(0.099, DeltaUnit::radians, PairChoice::all),
+  EXPECT_THAT(pairs(0.099, DeltaUnit::kRadians, PairChoice::kAll),
               ElementsAre(Pair(0, 9), Pair(0, 10), Pair(1, 10)));
 }
 
 TEST(Evaluation, ConsecutiveMetresBeginWhereToldTo) {
-  EvaluationOptions options = over(3, DeltaUnit::metres);
+  EvaluationOptions options = over(3, DeltaUnit::kMetres);
   EXPECT_EQ(evaluate(straight(11), straight(11), options).motions[0].from_time, 3);
   options.relative.from_first_pose = true;
   EXPECT_EQ(evaluate(straight(11), straight(11), options).motions[0].from_time, 0);
 }
 
 TEST(Evaluation, SecondsAreTheTumToolsUnlessAskedOtherwise) {
-  const Evaluation seconds = evaluate(walk(), walk(), over(1, DeltaUnit::seconds));
-  EXPECT_EQ(seconds.options.relative.pairs, PairChoice::tum);
-  EXPECT_EQ(seconds.options.relative.order, RelativeErrorOrder::tum);
-  const Evaluation frames = evaluate(walk(), walk(), over(1, DeltaUnit::frames));
-  EXPECT_EQ(frames.options.relative.pairs, PairChoice::consecutive);
-  EXPECT_EQ(frames.options.relative.order, RelativeErrorOrder::evo);
+  const Evaluation seconds = evaluate(walk(), walk(), over(1, DeltaUnit::kSeconds));
+  EXPECT_EQ(seconds.options.relative.pairs, PairChoice::kTum);
+  EXPECT_EQ(seconds.options.relative.order, RelativeErrorOrder::kTum);
+  const Evaluation frames = evaluate(walk(), walk(), over(1, DeltaUnit::kFrames));
+  EXPECT_EQ(frames.options.relative.pairs, PairChoice::kConsecutive);
+  EXPECT_EQ(frames.options.relative.order, RelativeErrorOrder::kEvo);
 }
 
 TEST(Evaluation, AnEstimateThatNeverMovedScoresTheStaticBaseline) {
   Trajectory still = walk();
   for (Pose& pose : still.world_from_cam) pose = elsewhere.pose;
-  for (const Alignment alignment : {Alignment::none, Alignment::se3, Alignment::yaw, Alignment::origin}) {
+  for (const Alignment alignment : {Alignment::kNone, Alignment::kSe3, Alignment::kYaw, Alignment::kOrigin}) {
     const Evaluation e = evaluate(walk(), still, with(alignment));
     EXPECT_NEAR(e.ate.rmse, e.static_baseline.ate, 1e-12) << name_of(alignment);
     EXPECT_NEAR(e.rpe->translation.rmse, *e.static_baseline.rpe_translation, 1e-12) << name_of(alignment);
@@ -210,7 +211,7 @@ TEST(Evaluation, AnEstimateThatNeverMovedScoresTheStaticBaseline) {
 TEST(Evaluation, TheScaleOfAnEstimateThatNeverMovedIsRefused) {
   Trajectory still = walk();
   for (Pose& pose : still.world_from_cam) pose = elsewhere.pose;
-  EXPECT_THROW(evaluate(walk(), still, with(Alignment::sim3)), std::invalid_argument);
+  EXPECT_THROW(evaluate(walk(), still, with(Alignment::kSim3)), std::invalid_argument);
 }
 
 TEST(Evaluation, CoverageIsTheShareOfTheEstimateThatWasJudged) {
@@ -225,7 +226,7 @@ TEST(Evaluation, CoverageIsTheShareOfTheEstimateThatWasJudged) {
 }
 
 TEST(Evaluation, ARecordingShorterThanDeltaHasNoRpe) {
-  const Evaluation e = evaluate(walk(), walk(), over(1000, DeltaUnit::frames));
+  const Evaluation e = evaluate(walk(), walk(), over(1000, DeltaUnit::kFrames));
   EXPECT_FALSE(e.rpe);
   EXPECT_FALSE(e.static_baseline.rpe_translation);
 }
@@ -258,23 +259,23 @@ TEST(Evaluation, RefusesWrongOptionsByName) {
     }
     return std::string("accepted");
   };
-  EXPECT_THAT(message(over(0, DeltaUnit::frames)), HasSubstr("delta"));
-  EXPECT_THAT(message(over(1.5, DeltaUnit::frames)), HasSubstr("whole frames"));
-  EXPECT_THAT(message(over(200, DeltaUnit::degrees)), HasSubstr("180"));
+  EXPECT_THAT(message(over(0, DeltaUnit::kFrames)), HasSubstr("delta"));
+  EXPECT_THAT(message(over(1.5, DeltaUnit::kFrames)), HasSubstr("whole frames"));
+  EXPECT_THAT(message(over(200, DeltaUnit::kDegrees)), HasSubstr("180"));
   EvaluationOptions options;
   options.association.max_difference = -1;
   EXPECT_THAT(message(options), HasSubstr("max_difference"));
   EXPECT_THROW(alignment_from_name("se4"), std::invalid_argument);
-  EXPECT_EQ(alignment_from_name("yaw"), Alignment::yaw);
-  EXPECT_EQ(delta_unit_from_name("metres"), DeltaUnit::metres);
+  EXPECT_EQ(alignment_from_name("yaw"), Alignment::kYaw);
+  EXPECT_EQ(delta_unit_from_name("metres"), DeltaUnit::kMetres);
 }
 
 TEST(Evaluation, ProjectionForgetsHeightAndTilt) {
   Trajectory lifted = walk();
   for (Pose& pose : lifted.world_from_cam) pose.t.z() += 3;
-  EvaluationOptions options = with(Alignment::none);
+  EvaluationOptions options = with(Alignment::kNone);
   EXPECT_NEAR(evaluate(walk(), lifted, options).ate.rmse, 3, 1e-12);
-  options.plane = Plane::xy;
+  options.plane = Plane::kXy;
   EXPECT_LT(evaluate(walk(), lifted, options).ate.rmse, 1e-12);
 }
 

@@ -27,12 +27,12 @@ double distance_between(const Trajectory& trajectory, std::size_t i, std::size_t
 
 // How far along the trajectory each pose is, in the unit (degrees as radians).
 std::vector<double> progress(const Trajectory& trajectory, DeltaUnit unit) {
-  if (unit == DeltaUnit::seconds) return trajectory.times;
+  if (unit == DeltaUnit::kSeconds) return trajectory.times;
   std::vector<double> along(trajectory.size(), 0.0);
   for (std::size_t i = 1; i < trajectory.size(); ++i) {
-    const double step = unit == DeltaUnit::frames   ? 1
-                        : unit == DeltaUnit::metres ? distance_between(trajectory, i - 1, i)
-                                                    : angle_between(trajectory, i - 1, i);
+    const double step = unit == DeltaUnit::kFrames   ? 1
+                        : unit == DeltaUnit::kMetres ? distance_between(trajectory, i - 1, i)
+                                                     : angle_between(trajectory, i - 1, i);
     along[i] = along[i - 1] + step;
   }
   return along;
@@ -42,8 +42,8 @@ std::vector<double> progress(const Trajectory& trajectory, DeltaUnit unit) {
 IndexPairs consecutive_pairs(const std::vector<double>& along, const RelativeErrorOptions& options,
                              double delta) {
   // Stamps at a steady rate meet delta but for their last digits.
-  const double slack = options.unit == DeltaUnit::seconds ? 1e-6 : 0;
-  bool marked = options.unit != DeltaUnit::metres || options.from_first_pose;
+  const double slack = options.unit == DeltaUnit::kSeconds ? 1e-6 : 0;
+  bool marked = options.unit != DeltaUnit::kMetres || options.from_first_pose;
   IndexPairs pairs;
   std::size_t mark = 0;
   double since = 0;
@@ -83,14 +83,14 @@ IndexPairs rotation_pairs(const Trajectory& trajectory, double delta, double max
 }
 
 IndexPairs pairs_of(const Trajectory& trajectory, const RelativeErrorOptions& options) {
-  const double delta = options.unit == DeltaUnit::degrees ? options.delta * rad_from_deg : options.delta;
+  const double delta = options.unit == DeltaUnit::kDegrees ? options.delta * rad_from_deg : options.delta;
   const double max_difference = options.tolerance * delta;
-  const bool angle = options.unit == DeltaUnit::degrees || options.unit == DeltaUnit::radians;
-  if (options.resolved_pairs() == PairChoice::consecutive)
+  const bool angle = options.unit == DeltaUnit::kDegrees || options.unit == DeltaUnit::kRadians;
+  if (options.resolved_pairs() == PairChoice::kConsecutive)
     return consecutive_pairs(progress(trajectory, options.unit), options, delta);
   if (angle) return rotation_pairs(trajectory, delta, max_difference);
   return nearest_pairs(progress(trajectory, options.unit), delta,
-                       options.unit == DeltaUnit::frames ? 0.5 : max_difference);
+                       options.unit == DeltaUnit::kFrames ? 0.5 : max_difference);
 }
 
 RelativeMotion motion_of(const Trajectory& reference, std::size_t k, std::size_t l,
@@ -114,12 +114,12 @@ double median_interval(const Trajectory& trajectory) {
 }  // namespace
 
 PairChoice RelativeErrorOptions::resolved_pairs() const {
-  return pairs.value_or(unit == DeltaUnit::seconds ? PairChoice::tum : PairChoice::consecutive);
+  return pairs.value_or(unit == DeltaUnit::kSeconds ? PairChoice::kTum : PairChoice::kConsecutive);
 }
 
 RelativeErrorOrder RelativeErrorOptions::resolved_order() const {
-  return order.value_or(resolved_pairs() == PairChoice::tum ? RelativeErrorOrder::tum
-                                                            : RelativeErrorOrder::evo);
+  return order.value_or(resolved_pairs() == PairChoice::kTum ? RelativeErrorOrder::kTum
+                                                             : RelativeErrorOrder::kEvo);
 }
 
 void RelativeErrorOptions::check() const {
@@ -127,9 +127,9 @@ void RelativeErrorOptions::check() const {
     throw std::invalid_argument(name + " is " + std::to_string(found) + ", expected " + expected);
   };
   if (!(delta > 0) || !std::isfinite(delta)) refuse("delta", delta, "a number above 0");
-  if (unit == DeltaUnit::frames && delta != std::floor(delta)) refuse("delta", delta, "whole frames");
-  if (unit == DeltaUnit::degrees && delta > 180) refuse("delta", delta, "at most 180 degrees");
-  if (unit == DeltaUnit::radians && delta > M_PI) refuse("delta", delta, "at most pi radians");
+  if (unit == DeltaUnit::kFrames && delta != std::floor(delta)) refuse("delta", delta, "whole frames");
+  if (unit == DeltaUnit::kDegrees && delta > 180) refuse("delta", delta, "at most 180 degrees");
+  if (unit == DeltaUnit::kRadians && delta > M_PI) refuse("delta", delta, "at most pi radians");
   if (!(tolerance >= 0) || !std::isfinite(tolerance)) refuse("tolerance", tolerance, "a number from 0");
 }
 
@@ -144,7 +144,7 @@ std::vector<RelativeMotion> relative_motions(const TrajectoryPair& matched,
 
 std::vector<RelativeMotion> relative_motions_tum(const Trajectory& reference, const Trajectory& estimate,
                                                  double time_offset, double delta, DeltaUnit unit) {
-  if (unit == DeltaUnit::degrees) delta *= rad_from_deg;
+  if (unit == DeltaUnit::kDegrees) delta *= rad_from_deg;
   const std::vector<double> along = progress(estimate, unit);
   const double max_difference = 2 * median_interval(reference);
   std::vector<RelativeMotion> motions;
@@ -162,13 +162,13 @@ std::vector<RelativeMotion> relative_motions_tum(const Trajectory& reference, co
 
 std::string name_of(DeltaUnit unit) {
   switch (unit) {
-    case DeltaUnit::frames:
+    case DeltaUnit::kFrames:
       return "frames";
-    case DeltaUnit::seconds:
+    case DeltaUnit::kSeconds:
       return "seconds";
-    case DeltaUnit::metres:
+    case DeltaUnit::kMetres:
       return "metres";
-    case DeltaUnit::degrees:
+    case DeltaUnit::kDegrees:
       return "degrees";
     default:
       return "radians";

@@ -10,7 +10,7 @@
 
 namespace framewise {
 
-enum class DeltaUnit { frames, seconds, metres, degrees, radians };
+enum class DeltaUnit { kFrames, kSeconds, kMetres, kDegrees, kRadians };
 
 // Which pairs of poses a relative error is taken over. Frames are matched poses, metres are travelled (the
 // sum of the steps), degrees and radians are turned.
@@ -22,11 +22,11 @@ enum class DeltaUnit { frames, seconds, metres, degrees, radians };
 //   tum: from every pose of the estimate, matched or not, to its pose nearest to delta away; each meets the
 //     reference's nearest stamp; a pair is left out where that is more than twice the reference's median
 //     interval away, and where it ends at the estimate's last pose. The TUM tools' --fixed_delta.
-enum class PairChoice { consecutive, all, tum };
+enum class PairChoice { kConsecutive, kAll, kTum };
 
 struct RelativeErrorOptions {
   double delta = 1;
-  DeltaUnit unit = DeltaUnit::frames;
+  DeltaUnit unit = DeltaUnit::kFrames;
   // Unset: tum for seconds (drift per second was defined by that benchmark, evo has no seconds), else
   // consecutive, evo's default.
   std::optional<PairChoice> pairs;

@@ -13,11 +13,11 @@ namespace {
 double size_of(const Pose& E, PoseRelation relation) {
   const Eigen::Matrix3d I = Eigen::Matrix3d::Identity();
   switch (relation) {
-    case PoseRelation::rotation_angle:
+    case PoseRelation::kRotationAngle:
       return rotation_angle(E.R);
-    case PoseRelation::rotation_part:
+    case PoseRelation::kRotationPart:
       return (E.R - I).norm();
-    case PoseRelation::full:
+    case PoseRelation::kFull:
       return std::hypot((E.R - I).norm(), E.t.norm());
     default:
       return E.t.norm();
@@ -27,13 +27,13 @@ double size_of(const Pose& E, PoseRelation relation) {
 }  // namespace
 
 std::vector<double> absolute_errors(const TrajectoryPair& matched, PoseRelation relation) {
-  if (relation == PoseRelation::point_distance_ratio)
+  if (relation == PoseRelation::kPointDistanceRatio)
     throw std::invalid_argument("absolute_errors: point_distance_ratio is defined for relative errors only");
   std::vector<double> errors;
   for (std::size_t i = 0; i < matched.size(); ++i) {
     const Pose& reference = matched.reference.world_from_cam[i];
     const Pose& estimate = matched.estimate.world_from_cam[i];
-    const bool positions = relation == PoseRelation::translation || relation == PoseRelation::point_distance;
+    const bool positions = relation == PoseRelation::kTranslation || relation == PoseRelation::kPointDistance;
     errors.push_back(positions ? (estimate.t - reference.t).norm()
                                : size_of(estimate.inverse() * reference, relation));
   }
@@ -46,20 +46,20 @@ std::vector<double> relative_errors(std::span<const RelativeMotion> motions, Pos
   for (const RelativeMotion& motion : motions) {
     const Pose &A = motion.reference, &B = motion.estimate;
     const double difference = std::abs(motion.reference_distance - motion.estimate_distance);
-    if (relation == PoseRelation::point_distance) {
+    if (relation == PoseRelation::kPointDistance) {
       errors.push_back(difference);
-    } else if (relation == PoseRelation::point_distance_ratio) {
+    } else if (relation == PoseRelation::kPointDistanceRatio) {
       if (motion.reference_distance > 0) errors.push_back(difference / motion.reference_distance);
     } else {
       errors.push_back(
-          size_of(order == RelativeErrorOrder::tum ? A * B.inverse() : B.inverse() * A, relation));
+          size_of(order == RelativeErrorOrder::kTum ? A * B.inverse() : B.inverse() * A, relation));
     }
   }
   return errors;
 }
 
 Trajectory projected(const Trajectory& trajectory, Plane plane) {
-  const int normal = plane == Plane::xy ? 2 : plane == Plane::xz ? 1 : 0;
+  const int normal = plane == Plane::kXy ? 2 : plane == Plane::kXz ? 1 : 0;
   Trajectory flat = trajectory;
   for (Pose& pose : flat.world_from_cam) {
     const Eigen::Matrix3d& R = pose.R;

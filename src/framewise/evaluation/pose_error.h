@@ -12,19 +12,19 @@ namespace framewise {
 
 // What of a pose error is counted. E is the rigid motion that is the identity where there is no error.
 enum class PoseRelation {
-  translation,           // |t(E)| (m); of absolute errors: the distance of the positions
-  rotation_angle,        // angle of R(E) (rad)
-  rotation_part,         // |R(E) - I|, Frobenius
-  full,                  // |E - I|, Frobenius of the 4x4 matrices: metres and radians mixed
-  point_distance,        // absolute: as translation. Relative: ||t(A)| - |t(B)|| (m), blind to rotation
-  point_distance_ratio,  // relative only: point_distance / |t(A)|; pairs that truly stood still are left out
+  kTranslation,         // |t(E)| (m); of absolute errors: the distance of the positions
+  kRotationAngle,       // angle of R(E) (rad)
+  kRotationPart,        // |R(E) - I|, Frobenius
+  kFull,                // |E - I|, Frobenius of the 4x4 matrices: metres and radians mixed
+  kPointDistance,       // absolute: as translation. Relative: ||t(A)| - |t(B)|| (m), blind to rotation
+  kPointDistanceRatio,  // relative only: point_distance / |t(A)|; pairs that truly stood still are left out
 };
 
 // Which way round the relative error of a true motion A and an estimated motion B is formed. The angles
 // agree, the translations do not.
 //   evo: E = B^-1 A, as evo and the KITTI devkit have it
 //   tum: E = A B^-1, as the TUM RGB-D benchmark's tools have it
-enum class RelativeErrorOrder { evo, tum };
+enum class RelativeErrorOrder { kEvo, kTum };
 
 // The motion of one pair of poses, from_cam_to: pose of the later camera in the earlier one.
 struct RelativeMotion {
@@ -45,7 +45,7 @@ std::vector<double> relative_errors(std::span<const RelativeMotion> motions, Pos
                                     RelativeErrorOrder order);
 
 // A plane of the world, for figures of vehicles that drive on one.
-enum class Plane { xy, xz, yz };
+enum class Plane { kXy, kXz, kYz };
 
 // The positions in the plane; of the orientation the turn about its normal alone, which is that component of
 // the Euler angles R = Rz Ry Rx (as evo has it; about y it is therefore within +-90 degrees).

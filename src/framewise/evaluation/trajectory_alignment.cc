@@ -71,17 +71,17 @@ double scale_of_positions(const Spread& s, const Eigen::Matrix3d& R) {
 
 Similarity align(const TrajectoryPair& matched, Alignment alignment, std::size_t count) {
   if (matched.size() == 0) throw std::invalid_argument("alignment: no matched poses, expected one or more");
-  if (alignment == Alignment::none) return {};
-  if (alignment == Alignment::origin)
+  if (alignment == Alignment::kNone) return {};
+  if (alignment == Alignment::kOrigin)
     return {1, matched.reference.world_from_cam[0] * matched.estimate.world_from_cam[0].inverse()};
 
   count = count == 0 ? matched.size() : std::min(count, matched.size());
   const Spread s = spread(matched, count);
   const Eigen::Matrix3d R =
-      alignment == Alignment::yaw ? yaw_of_positions(s) : rotation_of_positions(matched, count, s);
-  const bool scaled = alignment == Alignment::sim3 || alignment == Alignment::scale;
+      alignment == Alignment::kYaw ? yaw_of_positions(s) : rotation_of_positions(matched, count, s);
+  const bool scaled = alignment == Alignment::kSim3 || alignment == Alignment::kScale;
   const double scale = scaled ? scale_of_positions(s, R) : 1;
-  if (alignment == Alignment::scale) return {scale, {}};
+  if (alignment == Alignment::kScale) return {scale, {}};
   return {scale, {R, s.mean_reference - scale * R * s.mean_estimate}};
 }
 

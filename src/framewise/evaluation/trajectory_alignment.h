@@ -14,7 +14,7 @@ namespace framewise {
 //   scale:  the scale of sim3 alone, about the estimate's origin (evo's -s)
 //   yaw:    translation and rotation about the world's z axis: for estimates that know gravity (z up)
 //   origin: the first matched pose onto the reference's
-enum class Alignment { none, se3, sim3, scale, yaw, origin };
+enum class Alignment { kNone, kSe3, kSim3, kScale, kYaw, kOrigin };
 
 // reference_from_estimate over the first `count` matched poses (0: all).
 // A path that leaves the rotation free (a straight line, a camera that stood still) takes it from the

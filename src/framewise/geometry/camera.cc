@@ -116,7 +116,7 @@ void check_lens(const Camera& camera) {
   if (!std::isfinite(camera.cy)) refuse("cy", camera.cy, "a finite number of pixels");
   for (const double k : camera.distortion)
     if (!std::isfinite(k)) refuse("distortion", k, "finite coefficients");
-  if (camera.model == CameraModel::fisheye && camera.distortion[4] != 0)
+  if (camera.model == CameraModel::kFisheye && camera.distortion[4] != 0)
     refuse("distortion[4]", camera.distortion[4], "4 coefficients for a fisheye");
 }
 
@@ -131,11 +131,11 @@ void check_theta_range(const std::array<double, 2>& range) {
 
 const char* name_of(CameraModel model) {
   switch (model) {
-    case CameraModel::pinhole:
+    case CameraModel::kPinhole:
       return "pinhole";
-    case CameraModel::fisheye:
+    case CameraModel::kFisheye:
       return "fisheye";
-    case CameraModel::equirectangular:
+    case CameraModel::kEquirectangular:
       return "equirectangular";
   }
   throw std::invalid_argument("camera: model is no member of CameraModel");
@@ -143,30 +143,30 @@ const char* name_of(CameraModel model) {
 
 std::optional<Vector2d> Camera::project(const Vector3d& x_in_cam) const {
   if (!x_in_cam.allFinite()) return std::nullopt;
-  if (model == CameraModel::pinhole) return project_pinhole(*this, x_in_cam);
-  if (model == CameraModel::fisheye) return project_fisheye(*this, x_in_cam);
+  if (model == CameraModel::kPinhole) return project_pinhole(*this, x_in_cam);
+  if (model == CameraModel::kFisheye) return project_fisheye(*this, x_in_cam);
   return project_equirectangular(*this, x_in_cam);
 }
 
 std::optional<Jacobian> Camera::project_jacobian(const Vector3d& x_in_cam) const {
   if (!project(x_in_cam)) return std::nullopt;
-  if (model == CameraModel::pinhole) return pinhole_jacobian(*this, x_in_cam);
-  if (model == CameraModel::fisheye) return fisheye_jacobian(*this, x_in_cam);
+  if (model == CameraModel::kPinhole) return pinhole_jacobian(*this, x_in_cam);
+  if (model == CameraModel::kFisheye) return fisheye_jacobian(*this, x_in_cam);
   return equirectangular_jacobian(*this, x_in_cam);
 }
 
 std::optional<Bearing> Camera::bearing(const Vector2d& pixel) const {
-  if (model == CameraModel::equirectangular) return bearing_equirectangular(*this, pixel);
+  if (model == CameraModel::kEquirectangular) return bearing_equirectangular(*this, pixel);
   const Vector2d distorted((pixel.x() - cx) / fx, (pixel.y() - cy) / fy);
   if (!distorted.allFinite()) return std::nullopt;
-  if (model == CameraModel::pinhole) return bearing_pinhole(*this, distorted);
+  if (model == CameraModel::kPinhole) return bearing_pinhole(*this, distorted);
   return bearing_fisheye(*this, distorted);
 }
 
 void Camera::check() const {
   if (width <= 0) refuse("width", width, "a positive number of pixels");
   if (height <= 0) refuse("height", height, "a positive number of pixels");
-  if (model == CameraModel::equirectangular)
+  if (model == CameraModel::kEquirectangular)
     check_theta_range(theta_range);
   else
     check_lens(*this);

@@ -23,13 +23,13 @@ namespace framewise {
 // equirectangular: columns are even in azimuth over 360 degrees, the middle of the image looks along +z and
 // azimuth grows to the right; rows are even in the polar angle from straight up (-y), theta_range[0] at the
 // upper edge of the image and theta_range[1] at the lower.
-enum class CameraModel { pinhole, fisheye, equirectangular };
+enum class CameraModel { kPinhole, kFisheye, kEquirectangular };
 
 const char* name_of(CameraModel model);
 
 // Pixel (0, 0) is the centre of the first pixel: the image covers [-0.5, width - 0.5) x [-0.5, height - 0.5).
 struct Camera {
-  CameraModel model = CameraModel::pinhole;
+  CameraModel model = CameraModel::kPinhole;
   int width = 0;
   int height = 0;
   // Pixels. fy is negative in images that are upside down to the camera's axes (ICL-NUIM).

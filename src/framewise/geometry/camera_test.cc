@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 Camera pinhole(double fx, double fy, double cx, double cy, const std::array<double, 5>& distortion) {
-  return {CameraModel::pinhole, 640, 480, fx, fy, cx, cy, distortion, {}};
+  return {CameraModel::kPinhole, 640, 480, fx, fy, cx, cy, distortion, {}};
 }
 
 const Camera kFreiburg1 = pinhole(517.3, 516.5, 318.6, 255.3, {0.2624, -0.9531, -0.0054, 0.0026, 1.1633});
@@ -25,8 +25,8 @@ const Camera kFreiburg2 = pinhole(520.9, 521.0, 325.1, 249.7, {0.2312, -0.7849, 
 const Camera kFreiburg3 = pinhole(535.4, 539.2, 320.1, 247.6, {});
 const Camera kIcl = pinhole(481.2, -480, 319.5, 239.5, {});
 const Camera kFisheye{
-    CameraModel::fisheye, 752, 480, 190.9, 190.8, 370.1, 239.4, {0.0035, 0.0007, -0.0021, 0.0002}, {}};
-const Camera kPanorama{CameraModel::equirectangular, 1024, 256, 0, 0, 0, 0, {}, {0.5, 2.2}};
+    CameraModel::kFisheye, 752, 480, 190.9, 190.8, 370.1, 239.4, {0.0035, 0.0007, -0.0021, 0.0002}, {}};
+const Camera kPanorama{CameraModel::kEquirectangular, 1024, 256, 0, 0, 0, 0, {}, {0.5, 2.2}};
 
 std::vector<Camera> all_cameras() { return {kFreiburg1, kFreiburg2, kFreiburg3, kIcl, kFisheye, kPanorama}; }
 
@@ -62,7 +62,7 @@ TEST(Camera, KnownAnswers) {
   ideal_fisheye.distortion = {};
   EXPECT_LT((*ideal_fisheye.project({1, 0, 0}) - Vector2d(370.1 + 190.9 * M_PI / 2, 239.4)).norm(), 1e-12);
 
-  const Camera sphere{CameraModel::equirectangular, 360, 180, 0, 0, 0, 0, {}, {0, M_PI}};
+  const Camera sphere{CameraModel::kEquirectangular, 360, 180, 0, 0, 0, 0, {}, {0, M_PI}};
   EXPECT_LT((*sphere.project({0, 0, 1}) - Vector2d(179.5, 89.5)).norm(), 1e-12) << "ahead is the middle";
   EXPECT_LT((*sphere.project({1, 0, 0}) - Vector2d(269.5, 89.5)).norm(), 1e-12) << "right is to the right";
   EXPECT_LT((*sphere.project({0, -1, 1}) - Vector2d(179.5, 44.5)).norm(), 1e-12) << "up is above";

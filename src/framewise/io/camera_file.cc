@@ -50,7 +50,8 @@ class Fields {
 };
 
 CameraModel read_model(const std::filesystem::path& path, const std::string& name) {
-  for (const CameraModel model : {CameraModel::pinhole, CameraModel::fisheye, CameraModel::equirectangular})
+  for (const CameraModel model :
+       {CameraModel::kPinhole, CameraModel::kFisheye, CameraModel::kEquirectangular})
     if (name == name_of(model)) return model;
   throw InputError(path, 0, "model", "'" + name + "'", "pinhole, fisheye or equirectangular");
 }
@@ -58,7 +59,7 @@ CameraModel read_model(const std::filesystem::path& path, const std::string& nam
 CameraFile pinhole_640x480(double fx, double fy, double cx, double cy,
                            const std::array<double, 5>& distortion) {
   CameraFile file;
-  file.camera = {CameraModel::pinhole, 640, 480, fx, fy, cx, cy, distortion};
+  file.camera = {CameraModel::kPinhole, 640, 480, fx, fy, cx, cy, distortion};
   return file;
 }
 
@@ -71,7 +72,7 @@ CameraFile read_camera_file(const std::filesystem::path& path) {
   camera.model = read_model(path, fields.get_or<std::string>("model", "pinhole", "a model's name"));
   camera.width = fields.get<int>("width", "the images' width in pixels");
   camera.height = fields.get<int>("height", "the images' height in pixels");
-  if (camera.model == CameraModel::equirectangular) {
+  if (camera.model == CameraModel::kEquirectangular) {
     const auto degrees = fields.get<std::array<double, 2>>("theta_range_deg", "[from, to] in degrees");
     camera.theta_range = {degrees[0] * std::numbers::pi / 180, degrees[1] * std::numbers::pi / 180};
   } else {
@@ -80,7 +81,7 @@ CameraFile read_camera_file(const std::filesystem::path& path) {
     camera.cx = fields.get<double>("cx", "the principal point in pixels");
     camera.cy = fields.get<double>("cy", "the principal point in pixels");
     const auto values = fields.get_or<std::vector<double>>("distortion", {}, "a list of 4 or 5 numbers");
-    const std::size_t most = camera.model == CameraModel::pinhole ? 5 : 4;
+    const std::size_t most = camera.model == CameraModel::kPinhole ? 5 : 4;
     if (values.size() > most || (!values.empty() && values.size() < 4))
       throw InputError(path, 0, "distortion", fmt::format("{} numbers", values.size()),
                        most == 5 ? "k1, k2, p1, p2 and perhaps k3" : "k1, k2, k3, k4");

@@ -154,7 +154,7 @@ Dataset open_dataset(const fs::path& folder, const DatasetOptions& options) {
   dataset.fingerprint = fingerprint.text();
 
   if (const fs::path truth_file = folder / "groundtruth.txt"; fs::exists(truth_file)) {
-    dataset.truth = read_trajectory(truth_file, TrajectoryFormat::tum).trajectory;
+    dataset.truth = read_trajectory(truth_file, TrajectoryFormat::kTum).trajectory;
     check_truth(truth_file, dataset.truth, dataset.frames);
   }
   return dataset;

@@ -129,10 +129,10 @@ TrajectoryFormat format_of(const std::string& path, const Row& row) {
   if (columns == 12 && !row.commas) return TrajectoryFormat::kitti;
   const bool integer =
       std::all_of(row.fields[0].begin(), row.fields[0].end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (columns >= 8 && row.commas && integer) return TrajectoryFormat::euroc;
+  if (columns >= 8 && row.commas && integer) return TrajectoryFormat::kEuroc;
   expect_columns(path, row, columns == 8,
                  "8 (TUM), 12 (KITTI) or, after nanoseconds and commas, 8 or more (EuRoC)");
-  return TrajectoryFormat::tum;
+  return TrajectoryFormat::kTum;
 }
 
 // Stamps since 1970, and steps between poses, betray their unit: seconds stay below 1e11 until the year 5138,
@@ -211,7 +211,7 @@ TrajectoryFile read_trajectory(const std::filesystem::path& path, std::optional<
   } else {
     for (const Row& row : rows)
       append(name, row.line,
-             file.format == TrajectoryFormat::tum ? tum_pose(name, row) : euroc_pose(name, row), file);
+             file.format == TrajectoryFormat::kTum ? tum_pose(name, row) : euroc_pose(name, row), file);
   }
   if (file.has_times) expect_seconds(name, file.trajectory, rows[0].line);
   return file;

@@ -11,14 +11,14 @@
 namespace framewise {
 
 enum class TrajectoryFormat {
-  tum,    // t tx ty tz qx qy qz qw, seconds
-  kitti,  // 12 numbers, the 3x4 matrix row by row; stamps in a file of their own or none
-  euroc,  // ns, x, y, z, qw, qx, qy, qz, ... separated by commas
+  kTum,    // t tx ty tz qx qy qz qw, seconds
+  kitti,   // 12 numbers, the 3x4 matrix row by row; stamps in a file of their own or none
+  kEuroc,  // ns, x, y, z, qw, qx, qy, qz, ... separated by commas
 };
 
 struct TrajectoryFile {
   Trajectory trajectory;  // world_from_cam; of EuRoC world_from_body, as the file has it
-  TrajectoryFormat format = TrajectoryFormat::tum;
+  TrajectoryFormat format = TrajectoryFormat::kTum;
   bool has_times = true;  // false: KITTI without stamps; times are then 0, 1, 2, ... (frames, not seconds)
   std::size_t repeated =
       0;  // poses left out since their stamp is that of the one before (motion capture does)

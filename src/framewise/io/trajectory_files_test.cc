@@ -37,7 +37,7 @@ std::string refusal(const std::string& content) {
 TEST(TrajectoryFiles, TumWithCommentsBlanksTabsAndAnyLineEnds) {
   const TrajectoryFile file = read_trajectory(file_with(
       "# a comment\r\n\r\n  1.5\t1  2 3 \t 0 0 0.6 0.8  \r\n2.5 4 +5 6e0 0 0 -1.2 -1.6 # tail\n#\n"));
-  EXPECT_EQ(file.format, TrajectoryFormat::tum);
+  EXPECT_EQ(file.format, TrajectoryFormat::kTum);
   EXPECT_TRUE(file.has_times);
   ASSERT_EQ(file.trajectory.size(), 2u);
   EXPECT_EQ(file.trajectory.times, (std::vector<double>{1.5, 2.5}));
@@ -66,7 +66,7 @@ TEST(TrajectoryFiles, KittiIsToldByItsTwelveColumns) {
 TEST(TrajectoryFiles, EurocIsToldByItsNanosecondsAndCommas) {
   const TrajectoryFile file = read_trajectory(
       file_with("#timestamp, x, y, z, qw, qx, qy, qz, more\n1403636580838555648,1,2,3,0.8,0,0,0.6,9,9\n"));
-  EXPECT_EQ(file.format, TrajectoryFormat::euroc);
+  EXPECT_EQ(file.format, TrajectoryFormat::kEuroc);
   EXPECT_NEAR(file.trajectory.times[0], 1403636580.838555648, 1e-6);
   EXPECT_LT((file.trajectory.world_from_cam[0].R.col(0) - Eigen::Vector3d(0.28, 0.96, 0)).norm(), 1e-15);
 }

@@ -53,13 +53,13 @@ cv::Mat to_16_bit(const cv::Mat& depth, double factor) {
 std::string camera_yaml(const Camera& camera, double depth_factor) {
   std::string text = fmt::format("# depth is registered to this camera\nmodel: {}\nwidth: {}\nheight: {}\n",
                                  name_of(camera.model), camera.width, camera.height);
-  if (camera.model == CameraModel::equirectangular) {
+  if (camera.model == CameraModel::kEquirectangular) {
     text += fmt::format("theta_range_deg: [{}, {}]\n", camera.theta_range[0] * 180 / M_PI,
                         camera.theta_range[1] * 180 / M_PI);
   } else {
     text += fmt::format("fx: {}\nfy: {}\ncx: {}\ncy: {}\n", camera.fx, camera.fy, camera.cx, camera.cy);
     const auto& d = camera.distortion;
-    text += camera.model == CameraModel::fisheye
+    text += camera.model == CameraModel::kFisheye
                 ? fmt::format("distortion: [{}, {}, {}, {}]\n", d[0], d[1], d[2], d[3])
                 : fmt::format("distortion: [{}, {}, {}, {}, {}]\n", d[0], d[1], d[2], d[3], d[4]);
   }

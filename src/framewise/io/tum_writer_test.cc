@@ -48,7 +48,7 @@ class TumWriterTest : public testing::Test {
     return frame;
   }
 
-  const Camera camera_{CameraModel::pinhole, 16, 12, 13.125, 13.125, 7.5, 5.5, {}, {}};
+  const Camera camera_{CameraModel::kPinhole, 16, 12, 13.125, 13.125, 7.5, 5.5, {}, {}};
   fs::path folder_;
 };
 

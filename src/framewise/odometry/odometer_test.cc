@@ -24,7 +24,7 @@ class Wall {
     cv::resize(coarse, wall_, {}, 8, 8, cv::INTER_NEAREST);
   }
 
-  Camera camera() const { return {CameraModel::pinhole, 320, 240, kFocal, kFocal, 159.5, 119.5}; }
+  Camera camera() const { return {CameraModel::kPinhole, 320, 240, kFocal, kFocal, 159.5, 119.5}; }
 
   Frame frame(std::size_t index) const {
     Frame frame;

@@ -23,7 +23,7 @@ Evaluation quarter_turn(double delta) {
     estimate.add(i, {Eigen::Matrix3d::Identity(), Eigen::Vector3d(i, i * i, 1.0 / 3 * (i % 2))});
   }
   EvaluationOptions options;
-  options.alignment = Alignment::none;
+  options.alignment = Alignment::kNone;
   options.relative.delta = delta;
   return evaluate(reference, estimate, options);
 }

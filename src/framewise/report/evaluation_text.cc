@@ -44,7 +44,7 @@ std::string alignment_text(const Evaluation& e) {
     text += ", after the estimate was scaled by " + figure(e.options.estimate_scale);
   if (e.options.plane) {
     const Plane plane = *e.options.plane;
-    text += std::string(", projected to ") + (plane == Plane::xy ? "xy" : plane == Plane::xz ? "xz" : "yz");
+    text += std::string(", projected to ") + (plane == Plane::kXy ? "xy" : plane == Plane::kXz ? "xz" : "yz");
   }
   return text;
 }
@@ -53,13 +53,13 @@ std::string association_text(const AssociationOptions& association) {
   const std::string limit = " within " + figure(association.max_difference) + " s";
   std::string text;
   switch (association.method) {
-    case AssociationMethod::nearest:
+    case AssociationMethod::kNearest:
       text = "nearest stamp" + limit;
       break;
-    case AssociationMethod::greedy:
+    case AssociationMethod::kGreedy:
       text = "closest pairs of stamps" + limit;
       break;
-    case AssociationMethod::interpolated:
+    case AssociationMethod::kInterpolated:
       text = "reference interpolated between poses" + limit + " of the stamp";
       break;
     default:
@@ -74,10 +74,10 @@ std::string relative_text(const Evaluation& e) {
   const PairChoice pairs = relative.resolved_pairs();
   return "delta " + figure(relative.delta) + " " + name_of(relative.unit) + ", " +
          std::to_string(e.motions.size()) +
-         (pairs == PairChoice::consecutive ? " consecutive pairs"
-          : pairs == PairChoice::all       ? " pairs, all of that delta"
-                                           : " pairs, one from each pose as the TUM tools choose them") +
-         ", error " + (relative.resolved_order() == RelativeErrorOrder::tum ? "A B^-1" : "B^-1 A");
+         (pairs == PairChoice::kConsecutive ? " consecutive pairs"
+          : pairs == PairChoice::kAll       ? " pairs, all of that delta"
+                                            : " pairs, one from each pose as the TUM tools choose them") +
+         ", error " + (relative.resolved_order() == RelativeErrorOrder::kTum ? "A B^-1" : "B^-1 A");
 }
 
 std::string line(const std::string& label, const std::string& value) {

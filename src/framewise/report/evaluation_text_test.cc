@@ -22,7 +22,7 @@ Evaluation zigzag(const EvaluationOptions& options) {
 
 TEST(EvaluationText, SaysWhatAFigureIsWorthNothingWithout) {
   EvaluationOptions options;
-  options.alignment = Alignment::none;
+  options.alignment = Alignment::kNone;
   const std::string text = to_text(zigzag(options));
   EXPECT_THAT(text, HasSubstr("alignment           none, scale 1"));
   EXPECT_THAT(text, HasSubstr("delta 1 frames, 4 consecutive pairs, error B^-1 A"));

@@ -13,7 +13,7 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 Material wood_of(Random& random, Color dark, Color light) {
-  return {Texture::wood, dark, light, random.seed()};
+  return {Texture::kWood, dark, light, random.seed()};
 }
 
 namespace {
@@ -60,7 +60,7 @@ void sideboard(MeshBuilder& builder, Random& random, float width) {
     Material front = door;
     front.seed = random.seed();
     builder.box({x, -depth - 0.018f, 0.115f}, {each - 0.024f, 0.018f, height - 0.15f}, front);
-    const Material knob{Texture::paint, srgb(0xd9c9a0), {}, random.seed()};
+    const Material knob{Texture::kPaint, srgb(0xd9c9a0), {}, random.seed()};
     builder.sphere({x + (i % 2 ? 0.05f : each - 0.074f), -depth - 0.03f, 0.45f}, 0.015f, knob);
   }
   for (const float x : {-0.46f * width, 0.46f * width - 0.05f})
@@ -96,12 +96,12 @@ void desk(MeshBuilder& builder, Random& random, float width) {
   builder.box({0.5f * width - drawer - 0.07f, -0.24f, 0.15f}, {drawer, 0.46f, height - 0.18f},
               walnut(random));
   // A screen that shows a page, a keyboard, paper, books.
-  const Material dark{Texture::paint, srgb(0x22252a), {}, random.seed()};
-  const Material page{Texture::print, srgb(0xf2efe6), srgb(0x20304a), random.seed(), 0.56f, 0.34f};
+  const Material dark{Texture::kPaint, srgb(0x22252a), {}, random.seed()};
+  const Material page{Texture::kPrint, srgb(0xf2efe6), srgb(0x20304a), random.seed(), 0.56f, 0.34f};
   builder.box({-0.28f, 0.13f, height + 0.1f}, {0.56f, 0.025f, 0.34f}, {page, dark, dark, dark, dark, dark});
   builder.box({-0.03f, 0.135f, height}, {0.06f, 0.02f, 0.12f}, dark);
   builder.box({-0.12f, 0.06f, height}, {0.24f, 0.16f, 0.012f}, dark);
-  const Material keys{Texture::mosaic, srgb(0xd8d8d4), srgb(0x8f979e), random.seed(), 0.42f, 0.14f};
+  const Material keys{Texture::kMosaic, srgb(0xd8d8d4), srgb(0x8f979e), random.seed(), 0.42f, 0.14f};
   builder.box({-0.21f, -0.2f, height}, {0.42f, 0.14f, 0.02f}, {dark, dark, dark, dark, keys, dark});
   book_pile(builder, random, {0.5f * width - 0.22f, 0.05f, height}, 5);
   carton(builder, random, {-0.5f * width + 0.2f, 0.08f, height}, 0.25f);
@@ -110,7 +110,7 @@ void desk(MeshBuilder& builder, Random& random, float width) {
 
 void sofa(MeshBuilder& builder, Random& random, float width) {
   const float depth = 0.9f, arm = 0.17f;
-  const Material cloth{Texture::fabric, srgb(0x2f5d6b), srgb(0x5f97a0), random.seed()};
+  const Material cloth{Texture::kFabric, srgb(0x2f5d6b), srgb(0x5f97a0), random.seed()};
   builder.box({-0.5f * width + 0.02f, -depth + 0.03f, 0.06f}, {width - 0.04f, depth - 0.05f, 0.24f}, cloth);
   builder.cushion({-0.5f * width, -depth, 0.05f}, {arm, depth - 0.02f, 0.56f}, cloth);
   builder.cushion({0.5f * width - arm, -depth, 0.05f}, {arm, depth - 0.02f, 0.56f}, cloth);
@@ -124,7 +124,7 @@ void sofa(MeshBuilder& builder, Random& random, float width) {
   }
   const Color colors[] = {srgb(0xd98e2b), srgb(0xb8423a), srgb(0xe3d9c0), srgb(0x3c7d5a)};
   for (int i = 0; i < 4; ++i) {
-    const Material pillow{Texture::striped, colors[i], colors[(i + 2) % 4], random.seed()};
+    const Material pillow{Texture::kStriped, colors[i], colors[(i + 2) % 4], random.seed()};
     const float x = -0.5f * width + arm + 0.05f + (width - 2 * arm - 0.5f) * static_cast<float>(i) / 3;
     builder.cushion({x, -0.47f - 0.03f * static_cast<float>(i % 2), 0.42f}, {0.4f, 0.15f, 0.36f}, pillow);
   }
@@ -139,7 +139,7 @@ void wall_board(MeshBuilder& builder, Random& random, float width) {
 
 void picture(MeshBuilder& builder, Random& random, float width, float height, const Material& painting) {
   const Material frame =
-      random.below(2) ? walnut(random) : Material{Texture::paint, srgb(0x2a2a2c), {}, random.seed()};
+      random.below(2) ? walnut(random) : Material{Texture::kPaint, srgb(0x2a2a2c), {}, random.seed()};
   const float rim = 0.03f;
   Material image = painting;
   image.width = width;
@@ -152,10 +152,10 @@ void picture(MeshBuilder& builder, Random& random, float width, float height, co
 }
 
 void window_with_curtains(MeshBuilder& builder, Random& random, float width, float height) {
-  Material view{Texture::outdoors, srgb(0x8fc0ea), srgb(0x4d7a3a), random.seed(), width, height};
+  Material view{Texture::kOutdoors, srgb(0x8fc0ea), srgb(0x4d7a3a), random.seed(), width, height};
   view.emission = 1.1f;
   builder.quad({-0.5f * width, -0.004f, 0}, {width, 0, 0}, {0, 0, height}, view);
-  const Material frame{Texture::paint, srgb(0xe8e4da), {}, random.seed()};
+  const Material frame{Texture::kPaint, srgb(0xe8e4da), {}, random.seed()};
   const float rim = 0.06f;
   for (const float x : {-0.5f * width - rim, -0.5f * rim, 0.5f * width})
     builder.box({x, -0.05f, 0}, {rim, 0.049f, height}, frame);
@@ -163,9 +163,9 @@ void window_with_curtains(MeshBuilder& builder, Random& random, float width, flo
     builder.box({-0.5f * width - rim, -0.055f, z}, {width + 2 * rim, 0.054f, rim}, frame);
   builder.box({-0.5f * width - 0.12f, -0.16f, -rim - 0.03f}, {width + 0.24f, 0.155f, 0.03f},
               {frame, frame, frame, frame,
-               Material{Texture::marble, srgb(0xdedad2), srgb(0x6b6f76), random.seed()}, frame});
+               Material{Texture::kMarble, srgb(0xdedad2), srgb(0x6b6f76), random.seed()}, frame});
   builder.box({-0.5f * width - 0.5f, -0.14f, height + 0.18f}, {width + 1.0f, 0.03f, 0.03f}, walnut(random));
-  const Material cloth{Texture::striped, srgb(0xc9b28a), srgb(0x8c3b34), random.seed()};
+  const Material cloth{Texture::kStriped, srgb(0xc9b28a), srgb(0x8c3b34), random.seed()};
   for (const float side : {-1.0f, 1.0f}) {
     const float from = side * (0.5f * width + 0.46f), to = side * (0.5f * width - 0.08f);
     const float x0 = std::min(from, to), x1 = std::max(from, to), top = height + 0.19f, bottom = -0.78f;
@@ -202,10 +202,10 @@ void chair(MeshBuilder& builder, Random& random, const Material& seat) {
 }
 
 void floor_lamp(MeshBuilder& builder, Random& random) {
-  const Material metal{Texture::paint, srgb(0x3a3632), {}, random.seed()};
+  const Material metal{Texture::kPaint, srgb(0x3a3632), {}, random.seed()};
   builder.cylinder({0, 0, 0}, 0.15f, 0.025f, metal);
   builder.cylinder({0, 0, 0.02f}, 0.014f, 1.4f, metal);
-  Material shade{Texture::glow, srgb(0xffe2a8), srgb(0xd9a050), random.seed(), 1, 0.3f};
+  Material shade{Texture::kGlow, srgb(0xffe2a8), srgb(0xd9a050), random.seed(), 1, 0.3f};
   shade.emission = 1.25f;
   const Vector2f profile[] = {
       {0.19f, 1.34f}, {0.178f, 1.41f}, {0.165f, 1.49f}, {0.152f, 1.57f}, {0.14f, 1.64f}};
@@ -215,13 +215,13 @@ void floor_lamp(MeshBuilder& builder, Random& random) {
 }
 
 void pendant_lamp(MeshBuilder& builder, Random& random, float length) {
-  const Material metal{Texture::paint, srgb(0x2a2a2c), {}, random.seed()};
+  const Material metal{Texture::kPaint, srgb(0x2a2a2c), {}, random.seed()};
   builder.cylinder({0, 0, -length + 0.2f}, 0.006f, length - 0.2f, metal);
-  const Material enamel{Texture::ceramic, srgb(0xb84a32), srgb(0xf0dcb8), random.seed()};
+  const Material enamel{Texture::kCeramic, srgb(0xb84a32), srgb(0xf0dcb8), random.seed()};
   const Vector2f outside[] = {{0.24f, 0},     {0.232f, 0.035f}, {0.205f, 0.085f}, {0.15f, 0.135f},
                               {0.08f, 0.17f}, {0.03f, 0.2f},    {0, 0.205f}};
   builder.lathe({0, 0, -length}, outside, enamel);
-  Material bulb{Texture::glow, srgb(0xfff0cf), srgb(0xffe2b0), random.seed(), 1, 0.1f};
+  Material bulb{Texture::kGlow, srgb(0xfff0cf), srgb(0xffe2b0), random.seed(), 1, 0.1f};
   bulb.emission = 1.5f;
   const Vector2f inside[] = {{0, 0.012f}, {0.1f, 0.012f}, {0.236f, 0.002f}, {0.24f, 0}};
   builder.lathe({0, 0, -length}, inside, bulb);

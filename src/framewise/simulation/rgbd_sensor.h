@@ -13,7 +13,7 @@
 namespace framewise {
 
 struct RgbdOptions {
-  Camera camera{CameraModel::pinhole, 640, 480, 525, 525, 319.5, 239.5, {}, {}};
+  Camera camera{CameraModel::kPinhole, 640, 480, 525, 525, 319.5, 239.5, {}, {}};
   double max_depth = 10;  // farther is invalid (m)
   int edge_samples =
       4;  // rays a pixel where its neighbours differ, 1 or 4; elsewhere textures filter themselves

@@ -15,7 +15,7 @@ namespace {
 
 RgbdOptions small_sensor() {
   RgbdOptions options;
-  options.camera = {CameraModel::pinhole, 80, 60, 66, 66, 39.5, 29.5, {}, {}};
+  options.camera = {CameraModel::kPinhole, 80, 60, 66, 66, 39.5, 29.5, {}, {}};
   return options;
 }
 
@@ -23,7 +23,7 @@ RgbdOptions small_sensor() {
 Scene wall() {
   Scene scene;
   MeshBuilder builder(scene, 1);
-  builder.quad({3, 6, -6}, {0, -12, 0}, {0, 0, 12}, {Texture::paint, {0.5f, 0.5f, 0.5f}, {}, 1});
+  builder.quad({3, 6, -6}, {0, -12, 0}, {0, 0, 12}, {Texture::kPaint, {0.5f, 0.5f, 0.5f}, {}, 1});
   for (Vertex& vertex : scene.vertices) vertex.light = {1, 1, 1};
   return scene;
 }

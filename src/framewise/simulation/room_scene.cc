@@ -22,18 +22,18 @@ void shell(MeshBuilder& builder, Random& random) {
   builder.place({0, 0, 0});
   const Vector3f x(kLength, 0, 0), y(0, kWidth, 0), z(0, 0, kHeight);
   builder.set_cell_factor(0.8f);
-  builder.quad({0, 0, 0}, x, y, {Texture::planks, srgb(0x8a5a34), srgb(0xc4935c), random.seed()});
+  builder.quad({0, 0, 0}, x, y, {Texture::kPlanks, srgb(0x8a5a34), srgb(0xc4935c), random.seed()});
   builder.set_cell_factor(2.5f);
-  builder.quad(z + y, x, -y, {Texture::plaster, srgb(0xe8e2d4), srgb(0xd2cab8), random.seed()});
+  builder.quad(z + y, x, -y, {Texture::kPlaster, srgb(0xe8e2d4), srgb(0xd2cab8), random.seed()});
   builder.set_cell_factor(1.5f);
-  builder.quad(x, -x, z, {Texture::wallpaper, srgb(0xd8d2b8), srgb(0x7f9a78), random.seed()});
-  builder.quad(y, x, z, {Texture::plaster, srgb(0xd9b98c), srgb(0xc79a66), random.seed()});
-  builder.quad({0, 0, 0}, y, z, {Texture::brick, srgb(0x9a4a34), srgb(0xb9704c), random.seed()});
-  builder.quad(x + y, -y, z, {Texture::plaster, srgb(0xa9bcc4), srgb(0x8ba3ae), random.seed()});
+  builder.quad(x, -x, z, {Texture::kWallpaper, srgb(0xd8d2b8), srgb(0x7f9a78), random.seed()});
+  builder.quad(y, x, z, {Texture::kPlaster, srgb(0xd9b98c), srgb(0xc79a66), random.seed()});
+  builder.quad({0, 0, 0}, y, z, {Texture::kBrick, srgb(0x9a4a34), srgb(0xb9704c), random.seed()});
+  builder.quad(x + y, -y, z, {Texture::kPlaster, srgb(0xa9bcc4), srgb(0x8ba3ae), random.seed()});
   const Material beam = wood_of(random, srgb(0x4a3020), srgb(0x7a5636));
   for (const float at : {0.7f, 1.9f, 3.1f, 4.3f, 5.5f})
     builder.box({at - 0.07f, 0, kHeight - 0.12f}, {0.14f, kWidth, 0.12f}, beam);
-  const Material skirting{Texture::paint, srgb(0xe4ded0), {}, random.seed()};
+  const Material skirting{Texture::kPaint, srgb(0xe4ded0), {}, random.seed()};
   builder.box({0, 0, 0}, {kLength, 0.015f, 0.09f}, skirting);
   builder.box({0, kWidth - 0.015f, 0}, {kLength, 0.015f, 0.09f}, skirting);
   builder.box({kLength - 0.015f, 0, 0}, {0.015f, kWidth, 0.09f}, skirting);
@@ -43,8 +43,8 @@ void shell(MeshBuilder& builder, Random& random) {
 void middle_of_room(MeshBuilder& builder, Random& random) {
   const Vector3f middle(0.5f * kLength, 0.5f * kWidth, 0);
   builder.place(middle);
-  const Material woven{Texture::carpet, srgb(0x8c2f2b), srgb(0xe3cfa0), random.seed(), 2.9f, 2.1f};
-  const Material hem{Texture::fabric, srgb(0xcdbb94), srgb(0xe3d7b8), random.seed()};
+  const Material woven{Texture::kCarpet, srgb(0x8c2f2b), srgb(0xe3cfa0), random.seed(), 2.9f, 2.1f};
+  const Material hem{Texture::kFabric, srgb(0xcdbb94), srgb(0xe3d7b8), random.seed()};
   builder.box({-1.45f, -1.05f, 0.001f}, {2.9f, 2.1f, 0.012f}, {hem, hem, hem, hem, woven, hem});
   table(builder, random, 1.6f, 0.9f);
   const float top = 0.74f;
@@ -53,21 +53,21 @@ void middle_of_room(MeshBuilder& builder, Random& random) {
   book_pile(builder, random, {-0.55f, -0.2f, top}, 3);
   mug(builder, random, {0.05f, -0.27f, top});
   mug(builder, random, {-0.62f, 0.22f, top});
-  const Material letter{Texture::print, srgb(0xf4f1e8), srgb(0x24242c), random.seed(), 0.21f, 0.297f};
+  const Material letter{Texture::kPrint, srgb(0xf4f1e8), srgb(0x24242c), random.seed(), 0.21f, 0.297f};
   builder.quad({-0.33f, -0.4f, top + 0.001f}, {0.21f, 0.02f, 0}, {-0.028f, 0.294f, 0}, letter);
   const Color seats[] = {srgb(0xb8423a), srgb(0xe0a83a), srgb(0x2f6b7a), srgb(0x4f7a46)};
   const float places[][3] = {
       {-0.4f, 0.68f, 0.1f}, {0.42f, 0.64f, -0.15f}, {-0.36f, -0.66f, 3.3f}, {0.44f, -0.7f, 2.95f}};
   for (int i = 0; i < 4; ++i) {
     builder.place(middle + Vector3f(places[i][0], places[i][1], 0.013f), places[i][2]);
-    chair(builder, random, {Texture::striped, seats[i], seats[(i + 1) % 4], 0});
+    chair(builder, random, {Texture::kStriped, seats[i], seats[(i + 1) % 4], 0});
   }
   builder.place(middle + Vector3f(0, 0, kHeight));
   pendant_lamp(builder, random, 0.44f);
 }
 
 Material painting(Random& random) {
-  constexpr Texture kKinds[] = {Texture::abstract, Texture::landscape, Texture::mosaic, Texture::print};
+  constexpr Texture kKinds[] = {Texture::kAbstract, Texture::kLandscape, Texture::kMosaic, Texture::kPrint};
   constexpr std::uint32_t kGrounds[][2] = {
       {0xe8dcc0, 0xd07f4a}, {0xf0d8a8, 0x6fa8c8}, {0xd8c8a0, 0x2f4858}, {0xf0ece0, 0x2a2a34}};
   const int kind = random.below(4);
@@ -121,7 +121,7 @@ void east_wall(MeshBuilder& builder, Random& random) {
   window_with_curtains(builder, random, 1.9f, 1.3f);
   builder.place({kLength, 2.55f, 0}, kAtEast);
   for (int rib = 0; rib < 16; ++rib) {  // of the radiator
-    const Material enamel{Texture::paint, srgb(0xe6e2d8), {}, random.seed()};
+    const Material enamel{Texture::kPaint, srgb(0xe6e2d8), {}, random.seed()};
     builder.box({-0.64f + 0.08f * static_cast<float>(rib), -0.1f, 0.14f}, {0.06f, 0.07f, 0.5f}, enamel);
   }
   hang(builder, random, {kLength, 4.55f, 1.65f}, kAtEast, 0.55f, 0.75f);

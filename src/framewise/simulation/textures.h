@@ -9,34 +9,34 @@
 namespace framewise {
 
 enum class Texture {
-  paint,      // mottled colour a
-  plaster,    // rough wall
-  wallpaper,  // leaves of b on a
-  brick,      // bricks a to b, mortar
-  planks,     // floor boards a to b
-  wood,       // one piece, grain from a to b
-  carpet,     // woven motifs in a frame
-  fabric,     // weave
-  striped,    // woven stripes of a and b
-  checker,    // squares of a and b
-  spine,      // back of a book
-  pages,      // edge of a book's paper
-  print,      // printed sheet: headline, columns of glyphs
-  abstract,   // painting of discs and bars
-  landscape,  // painting of hills
-  mosaic,     // painting of coloured tiles
-  carton,     // cardboard box with label and tape
-  ceramic,    // glazed bands
-  marble,     // veins
-  leaf,       // veins on green
-  fruit,      // speckles
-  glow,       // lamp shade that shines
-  outdoors,   // what is seen through the window
+  kPaint,      // mottled colour a
+  kPlaster,    // rough wall
+  kWallpaper,  // leaves of b on a
+  kBrick,      // bricks a to b, mortar
+  kPlanks,     // floor boards a to b
+  kWood,       // one piece, grain from a to b
+  kCarpet,     // woven motifs in a frame
+  kFabric,     // weave
+  kStriped,    // woven stripes of a and b
+  kChecker,    // squares of a and b
+  kSpine,      // back of a book
+  kPages,      // edge of a book's paper
+  kPrint,      // printed sheet: headline, columns of glyphs
+  kAbstract,   // painting of discs and bars
+  kLandscape,  // painting of hills
+  kMosaic,     // painting of coloured tiles
+  kCarton,     // cardboard box with label and tape
+  kCeramic,    // glazed bands
+  kMarble,     // veins
+  kLeaf,       // veins on green
+  kFruit,      // speckles
+  kGlow,       // lamp shade that shines
+  kOutdoors,   // what is seen through the window
 };
 
 // Colours a and b, an own seed, and for patterns that fill their surface its size (m).
 struct Material {
-  Texture texture = Texture::paint;
+  Texture texture = Texture::kPaint;
   Color a, b;
   std::uint32_t seed = 0;
   float width = 1, height = 1;

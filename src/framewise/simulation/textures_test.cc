@@ -61,7 +61,7 @@ TEST_P(EveryTexture, HasDetailAndDependsOnItsSeed) {
   EXPECT_NE(moments(material, 0.001f).mean, one);
 }
 
-INSTANTIATE_TEST_SUITE_P(Textures, EveryTexture, testing::Range(0, static_cast<int>(Texture::outdoors) + 1));
+INSTANTIATE_TEST_SUITE_P(Textures, EveryTexture, testing::Range(0, static_cast<int>(Texture::kOutdoors) + 1));
 
 TEST(Noise, IsCentredAndBoundedAndContinuous) {
   double sum = 0;

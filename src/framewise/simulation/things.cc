@@ -25,13 +25,13 @@ Color one_of(Random& random, std::span<const std::uint32_t> colors) {
 
 // A book by its size with the spine towards -y, or lying with the spine towards -y.
 void book(MeshBuilder& builder, Random& random, const Vector3f& corner, const Vector3f& size, bool lying) {
-  const Material cover{Texture::paint, one_of(random, kCloth), {}, random.seed()};
+  const Material cover{Texture::kPaint, one_of(random, kCloth), {}, random.seed()};
   Material back = cover;
-  back.texture = Texture::spine;
+  back.texture = Texture::kSpine;
   back.b = one_of(random, kGilt);
-  const Material paper{Texture::pages, srgb(0xe6dcc2), {}, random.seed()};
+  const Material paper{Texture::kPages, srgb(0xe6dcc2), {}, random.seed()};
   Material title = back;
-  title.texture = Texture::carton;
+  title.texture = Texture::kCarton;
   title.a = cover.a;
   if (lying)
     builder.box(corner, size, {back, paper, paper, paper, title, cover});
@@ -51,12 +51,12 @@ void vase(MeshBuilder& builder, Random& random, const Vector3f& at, float height
                 lip = 0.1f * std::exp(-200 * (t - 1) * (t - 1));
     profile.push_back({height * (neck + (belly - neck) * bulge + lip), height * t});
   }
-  const Material glaze{Texture::ceramic, one_of(random, kCloth), one_of(random, kGilt), random.seed()};
+  const Material glaze{Texture::kCeramic, one_of(random, kCloth), one_of(random, kGilt), random.seed()};
   builder.lathe(at, profile, glaze);
 }
 
 void fruit_bowl(MeshBuilder& builder, Random& random, const Vector3f& at) {
-  const Material glaze{Texture::ceramic, srgb(0xe9e2d0), srgb(0x2f5f8f), random.seed()};
+  const Material glaze{Texture::kCeramic, srgb(0xe9e2d0), srgb(0x2f5f8f), random.seed()};
   const Vector2f profile[] = {{0, 0},          {0.06f, 0},      {0.07f, 0.01f},
                               {0.12f, 0.04f},  {0.15f, 0.075f}, {0.146f, 0.077f},
                               {0.11f, 0.045f}, {0.05f, 0.022f}, {0, 0.02f}};
@@ -64,7 +64,7 @@ void fruit_bowl(MeshBuilder& builder, Random& random, const Vector3f& at) {
   const std::uint32_t ripe[] = {0xc23b22, 0xe08a1e, 0x8aa63a, 0xd9b32a, 0xa82a3a};
   for (int i = 0; i < 6; ++i) {
     const float angle = 2 * static_cast<float>(M_PI) * static_cast<float>(i) / 5, out = i < 5 ? 0.075f : 0.0f;
-    const Material skin{Texture::fruit, srgb(ripe[i % 5]), srgb(ripe[(i + 1) % 5]), random.seed()};
+    const Material skin{Texture::kFruit, srgb(ripe[i % 5]), srgb(ripe[(i + 1) % 5]), random.seed()};
     builder.sphere(at + Vector3f(out * std::cos(angle), out * std::sin(angle), i < 5 ? 0.068f : 0.098f),
                    0.038f, skin);
   }
@@ -82,34 +82,34 @@ void book_pile(MeshBuilder& builder, Random& random, const Vector3f& at, int cou
 }
 
 void mug(MeshBuilder& builder, Random& random, const Vector3f& at) {
-  const Material glaze{Texture::ceramic, one_of(random, kCloth), one_of(random, kGilt), random.seed()};
+  const Material glaze{Texture::kCeramic, one_of(random, kCloth), one_of(random, kGilt), random.seed()};
   const Vector2f profile[] = {{0, 0},          {0.038f, 0},      {0.04f, 0.003f},  {0.041f, 0.03f},
                               {0.041f, 0.06f}, {0.041f, 0.095f}, {0.037f, 0.095f}, {0.036f, 0.085f}};
   builder.lathe(at, profile, glaze);
   builder.cylinder(at + Vector3f(0, 0, 0.07f), 0.0365f, 0.012f,
-                   {Texture::fruit, srgb(0x3b2415), srgb(0x5a3a22), random.seed()});
+                   {Texture::kFruit, srgb(0x3b2415), srgb(0x5a3a22), random.seed()});
 }
 
 void ball(MeshBuilder& builder, Random& random, const Vector3f& at, float radius) {
-  const Material pattern{random.below(2) ? Texture::ceramic : Texture::marble, one_of(random, kCloth),
+  const Material pattern{random.below(2) ? Texture::kCeramic : Texture::kMarble, one_of(random, kCloth),
                          one_of(random, kGilt), random.seed()};
   builder.sphere(at + Vector3f(0, 0, radius), radius, pattern);
 }
 
 void carton(MeshBuilder& builder, Random& random, const Vector3f& at, float size) {
-  const Material board{Texture::carton, srgb(0xb48a5a), srgb(0xf0ece0), random.seed()};
+  const Material board{Texture::kCarton, srgb(0xb48a5a), srgb(0xf0ece0), random.seed()};
   const Vector3f extent(size, 0.8f * size, uniform(random, 0.55, 0.9) * size);
   builder.box(at - Vector3f(0.5f * extent.x(), 0.5f * extent.y(), 0), extent, board);
 }
 
 void chess_board(MeshBuilder& builder, Random& random, const Vector3f& at) {
-  const Material squares{Texture::checker, srgb(0x4a2d1b), srgb(0xdcb98a), random.seed(), 0.4f, 0.4f};
-  const Material rim{Texture::wood, srgb(0x4a2d1b), srgb(0x6f4a2c), random.seed()};
+  const Material squares{Texture::kChecker, srgb(0x4a2d1b), srgb(0xdcb98a), random.seed(), 0.4f, 0.4f};
+  const Material rim{Texture::kWood, srgb(0x4a2d1b), srgb(0x6f4a2c), random.seed()};
   builder.box(at - Vector3f(0.2f, 0.2f, 0), {0.4f, 0.4f, 0.018f}, {rim, rim, rim, rim, squares, rim});
   for (int k = 0; k < 14; ++k) {
     const bool white = k % 2;
-    const Material turned{Texture::wood, srgb(white ? 0xd8b888 : 0x2b1a10), srgb(white ? 0xf2dcb4 : 0x4a3020),
-                          random.seed()};
+    const Material turned{Texture::kWood, srgb(white ? 0xd8b888 : 0x2b1a10),
+                          srgb(white ? 0xf2dcb4 : 0x4a3020), random.seed()};
     const float tall = uniform(random, 0.035, 0.07);
     const Vector2f profile[] = {{0, 0},
                                 {0.014f, 0},
@@ -128,7 +128,7 @@ void chess_board(MeshBuilder& builder, Random& random, const Vector3f& at) {
 
 void plant(MeshBuilder& builder, Random& random, const Vector3f& at, float height) {
   const float pot = 0.24f * height;
-  const Material clay{Texture::ceramic, srgb(0xb0603a), srgb(0xd9a070), random.seed()};
+  const Material clay{Texture::kCeramic, srgb(0xb0603a), srgb(0xd9a070), random.seed()};
   const Vector2f profile[] = {{0, 0},
                               {0.55f * pot, 0},
                               {0.6f * pot, 0.3f * pot},
@@ -140,7 +140,7 @@ void plant(MeshBuilder& builder, Random& random, const Vector3f& at, float heigh
   builder.lathe(at, profile, clay);
   const int leaves = 42;
   for (int k = 0; k < leaves; ++k) {
-    const Material green{Texture::leaf, mix(srgb(0x2f6b2f), srgb(0x7da843), uniform(random, 0, 1)),
+    const Material green{Texture::kLeaf, mix(srgb(0x2f6b2f), srgb(0x7da843), uniform(random, 0, 1)),
                          srgb(0xb9d38a), random.seed()};
     const float heading = 2.4f * static_cast<float>(k), rise = 0.25f + 0.75f * static_cast<float>(k) / leaves;
     const float length = height * uniform(random, 0.28, 0.42), width = 0.3f * length;
@@ -160,7 +160,7 @@ void plant(MeshBuilder& builder, Random& random, const Vector3f& at, float heigh
     });
   }
   builder.cylinder(at + Vector3f(0, 0, 0.85f * pot), 0.02f * height, 0.7f * (height - pot),
-                   {Texture::wood, srgb(0x4f5a2a), srgb(0x7a7a40), random.seed()});
+                   {Texture::kWood, srgb(0x4f5a2a), srgb(0x7a7a40), random.seed()});
 }
 
 void row_of_things(MeshBuilder& builder, Random& random, const Vector3f& back_left, float width, float height,
