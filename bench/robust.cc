@@ -106,8 +106,7 @@ void two_view_rows(std::size_t count, const std::string& part) {
                       {"2000, 25 %, odometry, 0.5 px", {testing::Scene::kOdometry, 2000, 0.25, 0.5}}};
   std::vector<Method> methods = {
       framewise_relative("framewise 8-point", RelativePoseSolver::kEightPoint),
-      framewise_relative("framewise Nister 5-point", RelativePoseSolver::kNister5pt),
-      framewise_relative("framewise eigensolver", RelativePoseSolver::kEigensolver), oracle_relative()};
+      framewise_relative("framewise Nister 5-point", RelativePoseSolver::kNister5pt), oracle_relative()};
 #ifdef FRAMEWISE_BENCH_POSELIB
   methods.push_back(poselib_relative(false));
   methods.push_back(poselib_relative(true));

@@ -84,6 +84,7 @@ TEST(LinearAlgebra, CholeskySolvesAndInvertsAndTellsIndefiniteMatrices) {
   expect_cholesky<3>();
   expect_cholesky<5>();
   expect_cholesky<6>();
+  expect_cholesky<9>();
 }
 
 TEST(Pose, ProductsAndInversesAct) {

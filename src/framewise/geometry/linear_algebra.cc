@@ -51,5 +51,6 @@ typename Cholesky<N>::Matrix Cholesky<N>::inverse() const {
 template class Cholesky<3>;
 template class Cholesky<5>;
 template class Cholesky<6>;
+template class Cholesky<9>;
 
 }  // namespace framewise

@@ -17,7 +17,7 @@ struct SymmetricEigen {
 SymmetricEigen<3> symmetric_eigen(const Eigen::Matrix3d& S);
 SymmetricEigen<9> symmetric_eigen(const Eigen::Matrix<double, 9, 9>& S);
 
-// S = L L' of a symmetric positive definite matrix; N is 3, 5 or 6.
+// S = L L' of a symmetric positive definite matrix; N is 3, 5, 6 or 9.
 template <int N>
 class Cholesky {
  public:

@@ -36,7 +36,8 @@ struct DepthRatios {
 void intersect(const double (&l)[3], const Conic& c, Hypotheses<DepthRatios, 4>& ratios) {
   const bool solve_for_y = std::abs(l[1]) > std::abs(l[0]);
   // The free coordinate u is x (then y = m u + k) or y (then x = m u + k).
-  const double m = solve_for_y ? -l[0] / l[1] : -l[1] / l[0], k = solve_for_y ? -l[2] / l[1] : -l[2] / l[0];
+  const double inverse = -1 / (solve_for_y ? l[1] : l[0]);
+  const double m = inverse * (solve_for_y ? l[0] : l[1]), k = inverse * l[2];
   const double uu = solve_for_y ? c.xx : c.yy, vv = solve_for_y ? c.yy : c.xx;
   const double uw = solve_for_y ? c.xw : c.yw, vw = solve_for_y ? c.yw : c.xw;
   const double a = uu + m * (2 * c.xy + m * vv);
@@ -91,6 +92,8 @@ struct Triangle {
       const double r12 = l1 * l1 + l2 * l2 - 2 * b12 * l1 * l2 - a12;
       const double r13 = l1 * l1 + l3 * l3 - 2 * b13 * l1 * l3 - a13;
       const double r23 = l2 * l2 + l3 * l3 - 2 * b23 * l2 * l3 - a23;
+      const double mismatch = std::abs(r12) + std::abs(r13) + std::abs(r23);
+      if (mismatch < 1e-13 * a13) return;
       const double j12_1 = l1 - b12 * l2, j12_2 = l2 - b12 * l1;  // half the derivatives
       const double j13_1 = l1 - b13 * l3, j13_3 = l3 - b13 * l1;
       const double j23_2 = l2 - b23 * l3, j23_3 = l3 - b23 * l2;
@@ -102,7 +105,7 @@ struct Triangle {
       if (!(next[0] > 0 && next[1] > 0 && next[2] > 0)) return;
       lambda = next;
       // Newton doubles the digits: after this step the sides agree to rounding.
-      if (std::abs(r12) + std::abs(r13) + std::abs(r23) < 1e-8 * a13) return;
+      if (mismatch < 1e-8 * a13) return;
     }
   }
 };
@@ -136,7 +139,7 @@ Pencil degenerate(const Conic& C1, const Conic& C2) {
 
 Hypotheses<DepthRatios, 4> depth_ratios(const Triangle& s) {
   Hypotheses<DepthRatios, 4> ratios;
-  const double a = s.a12 / s.a13, b = s.a23 / s.a13;
+  const double inverse = 1 / s.a13, a = s.a12 * inverse, b = s.a23 * inverse;
   const Conic C1{1 - a, -s.b12, a * s.b13, 1, 0, -a};
   const Conic C2{-b, 0, b * s.b13, 1, -s.b23, 1 - b};
   const Pencil w = degenerate(C1, C2);

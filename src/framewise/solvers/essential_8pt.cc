@@ -3,7 +3,6 @@
 #include "framewise/solvers/essential_8pt.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -51,9 +50,28 @@ Eigen::Matrix3d solve_minimal(std::span<const Bearing> x1, std::span<const Beari
   return Eigen::Map<const Eigen::Matrix3d>(e.data());
 }
 
-// The eigenvector of the smallest eigenvalue of sum w a a', a = epipolar_row. That sum has lost the digits
-// below sqrt(eps) of the residuals; one step of first-order perturbation, with the residuals taken from the
-// points themselves, gives them back.
+// The eigenvector of the smallest eigenvalue of M = sum w a a', by inverse iteration; gradient(e) is M e,
+// from the points themselves. M has lost the digits below sqrt(eps) of the residuals; one step of first-order
+// perturbation with that gradient gives them back.
+template <typename Gradient>
+Vector9d smallest_eigenvector(const Matrix9d& M, const Gradient& gradient) {
+  Matrix9d shifted = M;  // eigenvectors stay, and exact data stay positive definite
+  shifted.diagonal().array() += 1e-14 * M.trace();
+  const Cholesky<9> cholesky(shifted);
+  constexpr int kMostIterations = 20;
+  Vector9d e = Vector9d::LinSpaced(1, -0.6).normalized();  // orthogonal to no usual solution
+  for (int iteration = 0; cholesky.positive_definite() && iteration < kMostIterations; ++iteration) {
+    const Vector9d next = cholesky.solve(e).normalized();
+    const bool converged = (next - e).squaredNorm() < 1e-18;
+    e = next;
+    if (!converged) continue;
+    const Vector9d g = gradient(e);
+    const Vector9d step = cholesky.solve(g - e.dot(g) * e);
+    return (e - (step - e.dot(step) * e)).normalized();
+  }
+  return symmetric_eigen(M).vectors.col(0);  // the two smallest are about equal
+}
+
 Eigen::Matrix3d solve_least_squares(std::span<const Bearing> x1, std::span<const Bearing> x2,
                                     std::span<const double> weights) {
   const auto weight = [&](std::size_t i) { return weights.empty() ? 1.0 : weights[i]; };
@@ -73,19 +91,14 @@ Eigen::Matrix3d solve_least_squares(std::span<const Bearing> x1, std::span<const
   for (int j = 0; j < 9; ++j) {
     for (int i = 0; i < 9; ++i) M(i, j) = products(kUpper[i % 3][j % 3], kUpper[i / 3][j / 3]);
   }
-  const SymmetricEigen<9> eigen = symmetric_eigen(M);
-  Vector9d e = eigen.vectors.col(0);
-  Vector9d gradient = Vector9d::Zero();
-  for (std::size_t i = 0; i < x1.size(); ++i) {
-    const Vector9d a = epipolar_row(T1 * x1[i], T2 * x2[i]);
-    gradient += (weight(i) * a.dot(e)) * a;
-  }
-  const Vector9d lambda = eigen.values;
-  for (int k = 1; k < 9; ++k) {
-    const double gap = lambda(k) - lambda(0);
-    if (gap < 100 * std::numeric_limits<double>::epsilon() * lambda(8)) continue;
-    e -= eigen.vectors.col(k) * (eigen.vectors.col(k).dot(gradient) / gap);
-  }
+  const Vector9d e = smallest_eigenvector(M, [&](const Vector9d& v) {
+    Vector9d gradient = Vector9d::Zero();
+    for (std::size_t i = 0; i < x1.size(); ++i) {
+      const Vector9d a = epipolar_row(T1 * x1[i], T2 * x2[i]);
+      gradient += (weight(i) * a.dot(v)) * a;
+    }
+    return gradient;
+  });
   return T2.transpose() * Eigen::Map<const Eigen::Matrix3d>(e.data()) * T1;
 }
 

@@ -10,7 +10,7 @@
 namespace framewise {
 namespace {
 
-// To about 4 %: a third of the exponent (and mantissa) read as an integer. A start for Newton's method.
+// To about 4 %: a third of the exponent (and mantissa) read as an integer. A start for an iteration.
 double rough_cube_root(double x) {
   if (x == 0) return 0;
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) / 3 + 0x2A9F789300000000u);
@@ -36,14 +36,15 @@ struct Cubic {
                      : rough_cube_root(std::abs(value)) + e;
   }
 
-  // After one step beyond the extremum all others come from the same side.
-  double newton(double s) const {
+  // Halley's method: with three digits right the next step makes nine of them.
+  double descend(double s) const {
     for (int i = 0; i < 50; ++i) {
-      const double slope = c1 + s * (2 * c2 + 3 * s);
-      if (slope == 0) break;
-      const double step = (c0 + s * (c1 + s * (c2 + s))) / slope;
+      const double f = c0 + s * (c1 + s * (c2 + s)), slope = c1 + s * (2 * c2 + 3 * s),
+                   half_bend = c2 + 3 * s;
+      const double step = f * slope / (slope * slope - f * half_bend);
+      if (!std::isfinite(step)) break;
       s -= step;
-      if (!(std::abs(step) > 1e-8 * std::abs(s))) break;  // Newton doubles the digits: the rest is rounding
+      if (!(std::abs(step) > 1e-5 * std::abs(s))) break;
     }
     return s;
   }
@@ -62,16 +63,16 @@ void add_quadratic_roots(double b, double c, double shift, Hypotheses<double, 4>
 
 double outermost_cubic_root(double c2, double c1, double c0) {
   const Cubic f(c2, c1, c0);
-  return f.newton(f.value > 0 ? f.inflection - f.reach() : f.inflection + f.reach());
+  return f.descend(f.value > 0 ? f.inflection - f.reach() : f.inflection + f.reach());
 }
 
 double largest_cubic_root(double c2, double c1, double c0) {
   const Cubic f(c2, c1, c0);
-  if (f.value <= 0) return f.newton(f.inflection + f.reach());
+  if (f.value <= 0) return f.descend(f.inflection + f.reach());
   // Two roots on the right, from e to sqrt(3) e, when the minimum at e is below zero (or a double root, but
   // for rounding).
-  if (f.value < (2 + 1e-10) * f.e * f.e * f.e) return f.newton(f.inflection + 1.7320508 * f.e);
-  return f.newton(f.inflection - f.reach());
+  if (f.value < (2 + 1e-10) * f.e * f.e * f.e) return f.descend(f.inflection + 1.7320508 * f.e);
+  return f.descend(f.inflection - f.reach());
 }
 
 Hypotheses<double, 4> quartic_roots(double c3, double c2, double c1, double c0) {
