@@ -35,6 +35,8 @@ struct Tally {
   std::size_t frames = 0;
   std::array<std::size_t, kAllStatuses.size()> by_status{};
   StageSeconds seconds;
+  double iterations = 0, iterations_theory = 0;  // of RANSAC, over all steps
+  std::size_t steps = 0;                         // with a motion
   Trajectory trajectory;
 
   void add(const FrameResult& result) {
@@ -43,6 +45,9 @@ struct Tally {
     seconds.load += result.seconds.load;
     seconds.features += result.seconds.features;
     seconds.step += result.seconds.step;
+    iterations += result.step.iterations;
+    iterations_theory += result.step.iterations_theory;
+    steps += result.step.iterations > 0;
     trajectory.add(result.time, result.world_from_cam);
   }
 
@@ -152,6 +157,9 @@ Json record(const RunCommand& command, const Dataset& dataset, const Tally& tall
           {"measured", tally.frames > 0 ? static_cast<double>(tally.measured()) / tally.frames : 0},
           {"seconds", seconds},
           {"frames_per_second", seconds > 0 ? tally.frames / seconds : 0},
+          {"ransac",
+           {{"iterations_per_step", tally.steps > 0 ? tally.iterations / tally.steps : 0},
+            {"iterations_theory_per_step", tally.steps > 0 ? tally.iterations_theory / tally.steps : 0}}},
           {"milliseconds_per_frame",
            {{"load", tally.seconds.load * per_frame_ms},
             {"features", tally.seconds.features * per_frame_ms},
@@ -166,6 +174,9 @@ void print_summary(const RunCommand& command, const Json& run, const std::option
       statuses += fmt::format("{}{} {}", statuses.empty() ? "" : ", ", count.get<int>(), status);
   fmt::print("{}: {} frames at {:.1f} a second: {}\n", run["dataset"]["name"].get<std::string>(),
              run["frames"].get<int>(), run["frames_per_second"].get<double>(), statuses);
+  fmt::print("RANSAC: {:.1f} iterations a step; the share of inliers asks for {:.1f}\n",
+             run["ransac"]["iterations_per_step"].get<double>(),
+             run["ransac"]["iterations_theory_per_step"].get<double>());
   if (evaluation)
     fmt::print("{}", to_text(*evaluation));
   else

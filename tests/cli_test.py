@@ -88,6 +88,8 @@ class Run(Recording):
         self.assertEqual([row["status"] for row in frames], ["ok"] * self.FRAMES)
         run = json.loads((self.out / "run.json").read_text())
         self.assertEqual(run["evaluation"]["coverage"], 1)
+        self.assertGreaterEqual(run["ransac"]["iterations_per_step"], run["ransac"]["iterations_theory_per_step"])
+        self.assertGreater(run["ransac"]["iterations_theory_per_step"], 0)
         self.assertLess(run["evaluation"]["rpe"]["rotation_deg"]["rmse"], 0.1)
         self.assertLess(run["evaluation"]["ate"]["rmse"], 0.02)
 

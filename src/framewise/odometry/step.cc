@@ -95,6 +95,8 @@ SharedPoints points_of(const Shared& shared, const DepthNoise& noise) {
 Step with_estimate(Step step, const std::optional<Estimate>& estimate, int min_inliers) {
   if (!estimate || static_cast<int>(estimate->num_inliers) < min_inliers) return step;
   step.inliers = static_cast<int>(estimate->num_inliers);
+  step.iterations = estimate->iterations;
+  step.iterations_theory = estimate->iterations_theory;
   step.cam2_from_cam1 = estimate->cam2_from_cam1;
   switch (estimate->kind) {
     case EstimateKind::kFull:

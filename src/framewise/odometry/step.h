@@ -14,9 +14,11 @@ namespace framewise {
 // The motion between two frames.
 struct Step {
   Status status = Status::kLost;
-  Pose cam2_from_cam1;  // only where is_measured(status)
-  int matches = 0;      // pairs of features that chose each other
-  int inliers = 0;      // of those, pairs that agree with the motion
+  Pose cam2_from_cam1;           // only where is_measured(status)
+  int matches = 0;               // pairs of features that chose each other
+  int inliers = 0;               // of those, pairs that agree with the motion
+  int iterations = 0;            // of RANSAC
+  double iterations_theory = 0;  // that the share of inliers asks for (ransac_iterations.h)
 };
 
 // Matches two observations and estimates the motion between them. Where the scale comes from the truth,
