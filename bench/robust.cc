@@ -3,6 +3,7 @@
 //
 // Robust estimation against peers, in the settings of a frame-to-frame camera: 640x480, focal length 525.
 //   build/release/bench/bench_robust [problems per row, default 200] [only methods whose name has this]
+//                                    [only rows whose name has this]
 // AUC: area under the recall curve at 5 deg of max(rotation, translation-direction error), per cent.
 #include <chrono>
 #include <cstdio>
@@ -51,9 +52,19 @@ std::vector<Measured> measure(const std::vector<Method>& methods,
   return result;
 }
 
-std::vector<Method> chosen(std::vector<Method> methods, const std::string& part) {
-  std::erase_if(methods, [&](const Method& m) { return m.name.find(part) == std::string::npos; });
+struct Choice {
+  std::string method, row;  // parts of names
+};
+
+std::vector<Method> chosen(std::vector<Method> methods, const Choice& choice) {
+  std::erase_if(methods, [&](const Method& m) { return m.name.find(choice.method) == std::string::npos; });
   return methods;
+}
+
+std::vector<Row> chosen(std::vector<Row> rows, const Choice& choice) {
+  std::erase_if(rows,
+                [&](const Row& r) { return std::string(r.name).find(choice.row) == std::string::npos; });
+  return rows;
 }
 
 Method framewise_relative(const std::string& name, RelativePoseSolver solver) {
@@ -97,13 +108,14 @@ Method oracle_depth() {
           }};
 }
 
-void two_view_rows(std::size_t count, const std::string& part) {
-  const Row rows[] = {{"500, 50 %, wide, 1 px", {testing::Scene::kRandom, 500, 0.5, 1.0}},
-                      {"500, 25 %, wide, 1 px", {testing::Scene::kRandom, 500, 0.25, 1.0}},
-                      {"200, 90 %, odometry, 0.5 px", {testing::Scene::kOdometry, 200, 0.9, 0.5}},
-                      {"500, 50 %, odometry, 0.5 px", {testing::Scene::kOdometry, 500, 0.5, 0.5}},
-                      {"500, 50 %, odometry, 1 px", {testing::Scene::kOdometry, 500, 0.5, 1.0}},
-                      {"2000, 25 %, odometry, 0.5 px", {testing::Scene::kOdometry, 2000, 0.25, 0.5}}};
+void two_view_rows(std::size_t count, const Choice& choice) {
+  const std::vector<Row> rows = {
+      {"500, 50 %, wide, 1 px", {testing::Scene::kRandom, 500, 0.5, 1.0}},
+      {"500, 25 %, wide, 1 px", {testing::Scene::kRandom, 500, 0.25, 1.0}},
+      {"200, 90 %, odometry, 0.5 px", {testing::Scene::kOdometry, 200, 0.9, 0.5}},
+      {"500, 50 %, odometry, 0.5 px", {testing::Scene::kOdometry, 500, 0.5, 0.5}},
+      {"500, 50 %, odometry, 1 px", {testing::Scene::kOdometry, 500, 0.5, 1.0}},
+      {"2000, 25 %, odometry, 0.5 px", {testing::Scene::kOdometry, 2000, 0.25, 0.5}}};
   std::vector<Method> methods = {
       framewise_relative("framewise 8-point", RelativePoseSolver::kEightPoint),
       framewise_relative("framewise Nister 5-point", RelativePoseSolver::kNister5pt), oracle_relative()};
@@ -116,8 +128,8 @@ void two_view_rows(std::size_t count, const std::string& part) {
   methods.push_back(opencv_essential("OpenCV USAC_ACCURATE", cv::USAC_ACCURATE));
   methods.push_back(opencv_essential("OpenCV USAC_DEFAULT", cv::USAC_DEFAULT));
 #endif
-  methods = chosen(methods, part);
-  for (const Row& row : rows) {
+  methods = chosen(methods, choice);
+  for (const Row& row : chosen(rows, choice)) {
     const auto problems = make_problems(row, count);
     const auto measured = measure(methods, problems);
     std::printf("%s\n", row.name);
@@ -160,10 +172,10 @@ Method framewise_registration() {
           }};
 }
 
-void depth_rows(std::size_t count, const std::string& part) {
+void depth_rows(std::size_t count, const Choice& choice) {
   // Depth of 0.8 to 3.2 m, a depth camera's range.
-  const Row rows[] = {{"depth, 200, 90 %", {testing::Scene::kOdometry, 200, 0.9, 0.5, 0.4}},
-                      {"depth, 200, 25 %", {testing::Scene::kOdometry, 200, 0.25, 0.5, 0.4}}};
+  const std::vector<Row> rows = {{"depth, 200, 90 %", {testing::Scene::kOdometry, 200, 0.9, 0.5, 0.4}},
+                                 {"depth, 200, 25 %", {testing::Scene::kOdometry, 200, 0.25, 0.5, 0.4}}};
   std::vector<Method> methods = {framewise_registration(), framewise_absolute(), framewise_rgbd(),
                                  oracle_depth()};
 #ifdef FRAMEWISE_BENCH_POSELIB
@@ -173,8 +185,8 @@ void depth_rows(std::size_t count, const std::string& part) {
 #ifdef FRAMEWISE_BENCH_OPENCV
   methods.push_back(opencv_pnp());
 #endif
-  methods = chosen(methods, part);
-  for (const Row& row : rows) {
+  methods = chosen(methods, choice);
+  for (const Row& row : chosen(rows, choice)) {
     const auto problems = make_problems(row, count);
     const auto measured = measure(methods, problems);
     std::printf("%s\n", row.name);
@@ -197,7 +209,7 @@ void depth_rows(std::size_t count, const std::string& part) {
 
 int main(int argc, char** argv) {
   const std::size_t count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 200;
-  const std::string part = argc > 2 ? argv[2] : "";
-  framewise::bench::depth_rows(count, part);
-  framewise::bench::two_view_rows(count, part);
+  const framewise::bench::Choice choice{argc > 2 ? argv[2] : "", argc > 3 ? argv[3] : ""};
+  framewise::bench::depth_rows(count, choice);
+  framewise::bench::two_view_rows(count, choice);
 }

@@ -30,9 +30,10 @@ void choose_members(const TwoViews& views, const Pose& pose, double max_distance
                     std::vector<std::uint32_t>& members) {
   members.clear();
   std::vector<double> parallaxes;
+  const EpipolarDistances distances(views, pose);
   const double unsure = 2 * max_error;  // a parallax this small may have either sign
   for (std::uint32_t i = 0; i < views.x1.size(); ++i) {
-    if (!(epipolar_distance(views, pose, i) < max_distance)) continue;
+    if (!(distances[i] < max_distance)) continue;
     const double parallax = (pose.R * views.x1[i]).cross(views.x2[i]).norm();
     if (parallax > unsure && !in_front_of_both(pose, views.x1[i], views.x2[i])) continue;
     members.push_back(i);
@@ -48,20 +49,14 @@ void choose_members(const TwoViews& views, const Pose& pose, double max_distance
 }
 
 double noise_of(const TwoViews& views, const Pose& pose, std::span<const std::uint32_t> members) {
+  const EpipolarDistances all(views, pose);
   std::vector<double> distances;
-  for (const std::uint32_t i : members) distances.push_back(epipolar_distance(views, pose, i));
+  for (const std::uint32_t i : members) distances.push_back(all[i]);
   constexpr double kLeast = 1e-9;  // exact data have no noise to divide by
   return std::max(kMedianToSigma * quantile(distances, 0.5), kLeast);
 }
 
 }  // namespace
-
-double epipolar_distance(const TwoViews& views, const Pose& pose, std::size_t i) {
-  const bool plane = views.surface == ImageSurface::kPlane;
-  const Bearing &a = views.x1[i], &b = views.x2[i];
-  return std::abs(plane ? sampson_residual(pose, a / a.z(), b / b.z(), views.surface)
-                        : sampson_residual(pose, a, b, views.surface));
-}
 
 Consensus find_consensus(const TwoViews& views, const Pose& start, double max_error) {
   Consensus consensus;
@@ -92,10 +87,11 @@ Consensus find_consensus(const TwoViews& views, const Pose& start, double max_er
 
 FrontVote choose_by_parallax(const TwoViews& views, const Pose& pose, double max_residual, double max_error) {
   const auto poses = decompose_essential(essential_from_pose(pose));
+  const EpipolarDistances distances(views, pose);
   std::array<double, 4> votes{};
   double sum = 0;
   for (std::size_t i = 0; i < views.x1.size(); ++i) {
-    if (!(epipolar_distance(views, pose, i) < max_residual)) continue;
+    if (!(distances[i] < max_residual)) continue;
     double most = 0;
     for (std::size_t k = 0; k < poses.size(); ++k) {
       if (!in_front_of_both(poses[k], views.x1[i], views.x2[i])) continue;
@@ -112,9 +108,9 @@ FrontVote choose_by_parallax(const TwoViews& views, const Pose& pose, double max
 
 double unlikelihood(const TwoViews& views, const Pose& pose, double max_error) {
   constexpr double kRight = 0.8;
+  const EpipolarDistances distances(views, pose);
   std::vector<double> residuals(views.x1.size());
-  for (std::size_t i = 0; i < residuals.size(); ++i)
-    residuals[i] = epipolar_distance(views, pose, i) / max_error;
+  for (std::size_t i = 0; i < residuals.size(); ++i) residuals[i] = distances[i] / max_error;
   const double median_sigma = kMedianToSigma * quantile(residuals, 0.5);
   double least = std::numeric_limits<double>::infinity();
   for (const double factor : {1.0, 1.6, 2.6}) {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "framewise/geometry/epipolar.h"
 #include "framewise/geometry/image_surface.h"
 #include "framewise/geometry/pose.h"
 #include "framewise/solvers/refine_relative_pose.h"
@@ -14,7 +16,7 @@ namespace framewise {
 
 // The pose that a set of correspondences agrees on, the set, and the noise that it shows.
 struct Consensus {
-  RelativePoseRefinement refined;
+  Refinement refined;
   std::vector<std::uint32_t> members;
   double sigma = 0;  // standard deviation of a residual (pixels / focal length, or rad)
 };
@@ -42,8 +44,27 @@ struct FrontVote {
 };
 FrontVote choose_by_parallax(const TwoViews& views, const Pose& pose, double max_residual, double max_error);
 
-// Sampson's distance (pixels / focal length, or rad).
-double epipolar_distance(const TwoViews& views, const Pose& pose, std::size_t i);
+// Sampson's distances of all correspondences from one motion (pixels / focal length, or rad).
+class EpipolarDistances {
+ public:
+  EpipolarDistances(const TwoViews& views, const Pose& pose)
+      : views_(views), E_(essential_from_pose(pose)), plane_(views.surface == ImageSurface::kPlane) {}
+  double operator[](std::size_t i) const {
+    const Bearing &a = views_.x1[i], &b = views_.x2[i];
+    const Eigen::Vector3d l2 = E_ * a, l1 = E_.transpose() * b;
+    const double r = b.dot(l2);
+    // On the planes z = 1 the bearings are a / a.z and b / b.z.
+    const double D =
+        plane_ ? b.z() * b.z() * l2.head<2>().squaredNorm() + a.z() * a.z() * l1.head<2>().squaredNorm()
+               : l2.squaredNorm() + l1.squaredNorm() - 2 * r * r;
+    return std::abs(r) / std::sqrt(D);
+  }
+
+ private:
+  TwoViews views_;
+  Eigen::Matrix3d E_;
+  bool plane_;
+};
 
 // -2 log likelihood of all correspondences: each is right, with Gaussian noise, or wrong, with a residual
 // that is anything up to max_error. The noise is what the residuals show, so that a motion which fits many

@@ -16,6 +16,9 @@ namespace framewise {
 namespace {
 
 constexpr double kWorstDirection = 6 * M_PI / 180;
+// Rays nearer than this to the direction of t feign more information about it than they have.
+constexpr double kNearEpipole = 0.2;
+constexpr std::size_t kFewestTelling = 8;
 
 struct RotationFit {
   Eigen::Matrix3d R;
@@ -45,14 +48,19 @@ std::optional<RotationFit> fit_rotation(const TwoViews& views, const Consensus& 
 }
 
 bool direction_is_known(const TwoViews& views, const Consensus& consensus) {
+  const Pose& pose = consensus.refined.pose;
+  std::vector<std::uint32_t> telling = consensus.members;
+  std::erase_if(telling,
+                [&](std::uint32_t i) { return !(pose.t.cross(pose.R * views.x1[i]).norm() > kNearEpipole); });
+  if (telling.size() < kFewestTelling) return false;
   PointColumns pairs;
-  fill_ray_pairs(pairs, views.x1, views.x2, views.surface, consensus.members);
+  fill_ray_pairs(pairs, views.x1, views.x2, views.surface, telling);
   RefineOptions options;
   options.sigma = consensus.sigma;
   options.surface = views.surface;
-  const double feigned = noise_information(consensus.refined.pose, pairs, options);
-  const double known = consensus.refined.direction_information - feigned;
-  return known > 1 / (kWorstDirection * kWorstDirection) && known > feigned;
+  const DirectionInformation direction = direction_information(pose, pairs, options);
+  const double known = direction.measured - direction.feigned;
+  return known > 1 / (kWorstDirection * kWorstDirection) && known > direction.feigned;
 }
 
 }  // namespace

@@ -15,8 +15,14 @@ namespace framewise {
 // singular value is 1 and x2' H x1 > 0. Empty with fewer than 4 points or where they leave H free.
 std::optional<Eigen::Matrix3d> plane_homography(std::span<const Bearing> x1, std::span<const Bearing> x2);
 
-// The same on the points that most agree with it: fits, drops what lies beyond three times the median
-// residual, and fits again. Follows the plane that most points are on.
+// From four points, x2 ~ H x1, of any scale. Empty where three of them are in line.
+//   Hartley, Zisserman, Multiple View Geometry, 2004, section 4.1: the frame of three points and their sum.
+std::optional<Eigen::Matrix3d> homography_4pt(std::span<const Bearing, 4> x1, std::span<const Bearing, 4> x2);
+
+// The plane that most points are on, half of them or more: of homographies of four points each, drawn from a
+// fixed stream, that with the least median residual (Rousseeuw, Least Median of Squares Regression, JASA
+// 1984), then plane_homography of what lies within three times the median residual, twice. Empty as
+// plane_homography.
 std::optional<Eigen::Matrix3d> robust_plane_homography(std::span<const Bearing> x1,
                                                        std::span<const Bearing> x2);
 

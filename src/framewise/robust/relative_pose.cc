@@ -94,6 +94,7 @@ std::optional<Estimate> estimate_relative_pose(std::span<const Bearing> x1, std:
   Pose pose = pose_of(found->model, views, options);
   estimate.cam2_from_cam1 = pose;
   if (options.final_refinement) {
+    estimate.kind = EstimateKind::kLowParallax;  // too few agree at the noise level to know more
     const double widest = std::min(options.max_error, options.refinement_error);
     const Consensus consensus = find_finest_consensus(views, problem, options, pose, widest);
     if (!consensus.members.empty()) {

@@ -146,7 +146,7 @@ TEST(RelativePose, AWrongDirectionIsNeverConfident) {
       EXPECT_LT(motion_error_deg(estimate->cam2_from_cam1, p.cam2_from_cam1), 30) << name(scene);
     }
   }
-  EXPECT_GT(full, 30);  // of 40 with a motion to be seen: caution has its limits
+  EXPECT_GT(full, 40);  // and caution has its limits
 }
 
 TEST(RelativePose, HasNoAnswerFromTooFewPoints) {
@@ -202,11 +202,11 @@ TEST(Translation, IsFoundAmongOutliersWhereTheRotationIsKnown) {
 TEST(TwoStage, EverySolverGivesAMotionAndKeepsOnlyCloseInliers) {
   for (const RelativePoseSolver solver : kSolvers) {
     Random random(11);
-    const auto p = make_noisy_problem(Scene::kForward, 150, 30, 0.1 * kPixel, random);
+    const auto p = make_noisy_problem(Scene::kRandom, 150, 30, 0.3 * kPixel, random);
     TwoStageOptions options;
     options.first.solver = solver;
     options.first.measure = InlierMeasure::kReprojection;
-    options.first.ransac.min_iterations = 100;
+    options.first.ransac.min_iterations = 50;
     options.first.ransac.max_iterations = 300;
     const auto estimate = estimate_relative_pose_two_stage(p.x1, p.x2, options);
     ASSERT_TRUE(estimate) << static_cast<int>(solver);

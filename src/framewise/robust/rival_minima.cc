@@ -20,13 +20,20 @@ namespace {
 constexpr double kCut = 3.2;  // sigmas
 constexpr double kSameMinimum = 1e-3;
 constexpr double kFarAway = 10 * M_PI / 180;
-constexpr double kAsGood = 6;  // times the root of the number of members
+// Times the root of the number of members. The two motions of a plane share all its points, and chance
+// outliers on the epipolar lines of one of them speak louder than the difference.
+constexpr double kAsGood = 2, kAsGoodOnPlane = 4;
 constexpr double kFewestInFront = 0.9;
 
-std::vector<Pose> starts(std::span<const Bearing> x1, std::span<const Bearing> x2) {
-  std::vector<Pose> poses;
+struct Start {
+  Pose pose;
+  double as_good;
+};
+
+std::vector<Start> starts(std::span<const Bearing> x1, std::span<const Bearing> x2) {
+  std::vector<Start> found;
   if (const auto H = robust_plane_homography(x1, x2)) {
-    for (const Pose& pose : motions_of_plane(*H)) poses.push_back(pose);
+    for (const Pose& pose : motions_of_plane(*H)) found.push_back({pose, kAsGoodOnPlane});
   }
   if (const auto R = rotation_npt(x1, x2)) {
     Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
@@ -35,9 +42,9 @@ std::vector<Pose> starts(std::span<const Bearing> x1, std::span<const Bearing> x
       normals += n * n.transpose();
     }
     const Eigen::Matrix3d directions = symmetric_eigen(normals).vectors;
-    for (int k = 0; k < 3; ++k) poses.push_back({*R, directions.col(k)});
+    for (int k = 0; k < 3; ++k) found.push_back({{*R, directions.col(k)}, kAsGood});
   }
-  return poses;
+  return found;
 }
 
 double motion_between(const Pose& a, const Pose& b) {
@@ -54,6 +61,7 @@ bool same_essential(const Pose& a, const Pose& b) {
 struct Minimum {
   Pose pose;
   double cost;
+  double margin;  // no worse than the best by more than this: as good
 };
 
 }  // namespace
@@ -67,33 +75,35 @@ Settled settle_minimum(const TwoViews& views, const Consensus& consensus, double
   refine.sigma = consensus.sigma;
   refine.surface = views.surface;
   refine.max_iterations = 15;
-  refine.tolerance = 1e-2;
+  refine.tolerance = 0.1;             // nothing beside the margins
+  refine.loss = {Loss::kCauchy, 2.0};  // members of one minimum are in part outliers of another
 
   std::vector<Minimum> minima{
-      {consensus.refined.pose, unlikelihood(views, consensus.refined.pose, max_error)}};
+      {consensus.refined.pose, unlikelihood(views, consensus.refined.pose, max_error), 0}};
   std::size_t best = 0;
-  const double margin = kAsGood * std::sqrt(static_cast<double>(consensus.members.size()));
-  for (const Pose& start : starts(x1, x2)) {
+  const auto consider = [&](const Pose& pose, double as_good) {
+    const double cost = unlikelihood(views, pose, max_error);
+    const double margin = as_good * std::sqrt(static_cast<double>(consensus.members.size()));
+    if (cost > minima[best].cost + margin || same_essential(pose, minima[0].pose)) return;
+    const FrontVote vote = choose_by_parallax(views, pose, kCut * refine.sigma, max_error);
+    if (vote.share < kFewestInFront) return;
+    minima.push_back({vote.pose, cost, margin});
+    if (cost < minima[best].cost) best = minima.size() - 1;
+  };
+  for (const auto& [start, as_good] : starts(x1, x2)) {
     if (!start.R.allFinite() || !start.t.allFinite()) continue;
-    Minimum minimum{start, unlikelihood(views, start, max_error)};
-    const Pose descended = refine_relative_pose(start, pairs, refine).pose;
-    const double cost = unlikelihood(views, descended, max_error);
-    if (cost < minimum.cost) minimum = {descended, cost};
-    if (minimum.cost > minima[best].cost + margin || same_essential(minimum.pose, minima[0].pose)) continue;
-    const FrontVote vote = choose_by_parallax(views, minimum.pose, kCut * refine.sigma, max_error);
-    if (vote.share < kFewestInFront) continue;
-    minima.push_back({vote.pose, minimum.cost});
-    if (minimum.cost < minima[best].cost) best = minima.size() - 1;
+    // A start may lie in the same flat valley as the first minimum and be as likely, far away from it.
+    consider(start, as_good);
+    consider(refine_relative_pose(start, pairs, refine).pose, as_good);
   }
   Settled settled{consensus, false};
   if (motion_between(minima[best].pose, minima[0].pose) > kSameMinimum) {
     const Consensus other = find_consensus(views, minima[best].pose, max_error);
     if (!other.members.empty()) settled.consensus = other;
   }
-  const double limit = minima[best].cost + margin;
   for (const Minimum& minimum : minima) {
-    settled.ambiguous |=
-        minimum.cost < limit && motion_between(minimum.pose, settled.consensus.refined.pose) > kFarAway;
+    settled.ambiguous |= minimum.cost < minima[best].cost + minimum.margin &&
+                         motion_between(minimum.pose, settled.consensus.refined.pose) > kFarAway;
   }
   return settled;
 }

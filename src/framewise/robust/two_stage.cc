@@ -17,12 +17,13 @@
 #include "framewise/solvers/refine_relative_pose.h"
 #include "framewise/solvers/relrot_5pt_kneip.h"
 #include "framewise/solvers/rotation_eigensolver.h"
-#include "framewise/solvers/translation_2pt.h"
+#include "framewise/solvers/translation_npt.h"
 
 namespace framewise {
 namespace {
 
 constexpr std::size_t kRedrawn = 8;
+constexpr int kAnswersOfKneip = 20;  // one set of eight may lie badly
 
 struct Matches {
   std::vector<Bearing> x1, x2;
@@ -46,16 +47,16 @@ void add_essential(const std::optional<Eigen::Matrix3d>& E, std::span<const Bear
   if (const auto vote = choose_by_cheirality(*E, x1, x2)) poses.push_back(vote->cam2_from_cam1);
 }
 
-void add_kneip(std::span<const Bearing> x1, std::span<const Bearing> x2, std::vector<Pose>& poses) {
-  for (const Eigen::Matrix3d& R : relrot_5pt_kneip(x1, x2)) {
-    const std::array<Bearing, 2> a{x1[0], x1[1]}, b{x2[0], x2[1]};
-    if (const auto t = translation_2pt(a, b, R)) poses.push_back({R, *t});
-  }
+// A translation is the more certain the more points it rests on: all that the rotation leaves.
+void add_kneip(std::span<const Bearing> x1, std::span<const Bearing> x2, const Matches& all,
+               std::vector<Pose>& poses) {
+  for (const Eigen::Matrix3d& R : relrot_5pt_kneip(x1, x2))
+    if (const auto t = translation_npt(all.x1, all.x2, R)) poses.push_back({R, *t});
 }
 
-// All that the solver says about these bearings.
+// All that the solver says about these bearings, some or all of `all`.
 std::vector<Pose> solutions(RelativePoseSolver solver, std::span<const Bearing> x1,
-                            std::span<const Bearing> x2, const Pose& start) {
+                            std::span<const Bearing> x2, const Matches& all, const Pose& start) {
   std::vector<Pose> poses;
   switch (solver) {
     case RelativePoseSolver::kEightPoint:
@@ -65,7 +66,7 @@ std::vector<Pose> solutions(RelativePoseSolver solver, std::span<const Bearing> 
       if (const auto found = rotation_eigensolver(x1, x2)) poses.push_back({found->R, found->t});
       break;
     case RelativePoseSolver::kKneip5ptRotation:
-      if (x1.size() >= 5 && x1.size() <= 8) add_kneip(x1, x2, poses);
+      if (x1.size() >= 5 && x1.size() <= 8) add_kneip(x1, x2, all, poses);
       break;
     case RelativePoseSolver::kSevenPoint:
     case RelativePoseSolver::kNister5pt:
@@ -80,6 +81,9 @@ std::vector<Pose> solutions(RelativePoseSolver solver, std::span<const Bearing> 
   }
   return poses;
 }
+
+// Whether the solver estimates from any number of bearings.
+bool takes_all(RelativePoseSolver solver) { return solver != RelativePoseSolver::kKneip5ptRotation; }
 
 // Eight of the inliers, drawn at random.
 Matches redraw(const Matches& matches, RandomStream& random) {
@@ -126,7 +130,6 @@ std::optional<Estimate> estimate_relative_pose_two_stage(std::span<const Bearing
   options.check();
   RelativePoseOptions stage = options.first;
   stage.final_refinement = false;
-  stage.ransac.local_optimisation = false;
   const auto first = estimate_relative_pose(x1, x2, stage);
   if (!first) return std::nullopt;
 
@@ -143,19 +146,23 @@ std::optional<Estimate> estimate_relative_pose_two_stage(std::span<const Bearing
   Judge judge;
   judge.max_error = stage.max_error;
   judge.scoring = stage.ransac.scoring;
-  auto choice = choose(problem, solutions(stage.solver, kept.x1, kept.x2, second->cam2_from_cam1), judge);
+  auto choice =
+      choose(problem, solutions(stage.solver, kept.x1, kept.x2, kept, second->cam2_from_cam1), judge);
   RandomStream random(stage.ransac.seed);
-  int draws = first->iterations + second->iterations;
-  while (!choice && kept.x1.size() >= kRedrawn && draws++ < stage.ransac.max_iterations) {
+  int draws = 0, missing = takes_all(stage.solver) ? (choice ? 0 : 1) : kAnswersOfKneip;
+  for (; missing > 0 && kept.x1.size() >= kRedrawn && draws < stage.ransac.max_iterations; ++draws) {
     const Matches eight = redraw(kept, random);
-    choice = choose(problem, solutions(stage.solver, eight.x1, eight.x2, second->cam2_from_cam1), judge);
+    const auto next =
+        choose(problem, solutions(stage.solver, eight.x1, eight.x2, kept, second->cam2_from_cam1), judge);
+    missing -= next.has_value();
+    if (next && (!choice || next->tally.cost < choice->tally.cost)) choice = next;
   }
   if (!choice) return std::nullopt;
 
   Estimate estimate;
   estimate.cam2_from_cam1 = choice->pose;
   estimate.score = choice->tally.cost;
-  estimate.iterations = draws;
+  estimate.iterations = first->iterations + second->iterations + draws;
   estimate.iterations_theory = first->iterations_theory + second->iterations_theory;
   estimate.inliers.assign(x1.size(), 0);
   for (const std::uint32_t i : kept.origin) estimate.inliers[i] = 1;

@@ -88,8 +88,7 @@ Matrix6d pose_covariance(const NormalEquations<Motion>& normal, const Pose& pose
 
 // sums_at(pose): NormalSums at a pose.
 template <typename Motion, typename SumsAt>
-Refinement minimise(const Pose& initial, const SumsAt& sums_at, const RefineOptions& options,
-                    NormalEquations<Motion>* final_equations = nullptr) {
+Refinement minimise(const Pose& initial, const SumsAt& sums_at, const RefineOptions& options) {
   Refinement result;
   result.pose = initial;
   NormalSums sums = sums_at(initial);
@@ -122,10 +121,8 @@ Refinement minimise(const Pose& initial, const SumsAt& sums_at, const RefineOpti
       damping = std::max(1e-3, 10 * damping);
     }
   }
-  const NormalEquations<Motion> normal = normal_equations<Motion>(sums, result.pose);
   result.cost = sums.cost;
-  result.covariance = pose_covariance(normal, result.pose);
-  if (final_equations) *final_equations = normal;
+  result.covariance = pose_covariance(normal_equations<Motion>(sums, result.pose), result.pose);
   return result;
 }
 

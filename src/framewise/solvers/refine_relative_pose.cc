@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -40,7 +41,7 @@ Eigenpair smallest(const Eigen::Matrix2d& M) {
 }
 
 // Information about the direction of t once the rotation is free: the Schur complement.
-Eigen::Matrix2d direction_information(const NormalEquations<MotionUpToScale>& normal) {
+Eigen::Matrix2d information_of_direction(const NormalEquations<MotionUpToScale>& normal) {
   const Eigen::Matrix<double, 3, 2> across = normal.H.topRightCorner<3, 2>();
   const Cholesky<3> rotation(normal.H.topLeftCorner<3, 3>());
   return normal.H.bottomRightCorner<2, 2>() - across.transpose() * (rotation.inverse() * across);
@@ -48,34 +49,27 @@ Eigen::Matrix2d direction_information(const NormalEquations<MotionUpToScale>& no
 
 }  // namespace
 
-RelativePoseRefinement refine_relative_pose(const Pose& initial, const PointColumns& ray_pairs,
-                                            const RefineOptions& options, EpipolarResidual residual) {
+Refinement refine_relative_pose(const Pose& initial, const PointColumns& ray_pairs,
+                                const RefineOptions& options, EpipolarResidual residual) {
   options.check();
   check_pose(initial);
   check_at_least("x1", ray_pairs.rows(), 5);
   if (!(initial.t.norm() > 0)) throw std::invalid_argument("initial.t is 0, expected a direction");
-  NormalEquations<MotionUpToScale> normal;
-  RelativePoseRefinement result{
-      minimise<MotionUpToScale>(
-          {initial.R, initial.t.normalized()},
-          [&](const Pose& pose) { return sum_epipolar(ray_pairs, pose, options, residual); }, options,
-          &normal),
-      0};
-  const double information = smallest(direction_information(normal)).value;
-  if (information > 0) result.direction_information = information;
-  return result;
+  const auto sums_at = [&](const Pose& pose) { return sum_epipolar(ray_pairs, pose, options, residual); };
+  return minimise<MotionUpToScale>({initial.R, initial.t.normalized()}, sums_at, options);
 }
 
-RelativePoseRefinement refine_relative_pose(const Pose& initial, std::span<const Eigen::Vector3d> x1,
-                                            std::span<const Eigen::Vector3d> x2, const RefineOptions& options,
-                                            EpipolarResidual residual) {
+Refinement refine_relative_pose(const Pose& initial, std::span<const Eigen::Vector3d> x1,
+                                std::span<const Eigen::Vector3d> x2, const RefineOptions& options,
+                                EpipolarResidual residual) {
   options.check();
   PointColumns ray_pairs;
   fill_ray_pairs(ray_pairs, x1, x2, options.surface);
   return refine_relative_pose(initial, ray_pairs, options, residual);
 }
 
-double noise_information(const Pose& pose, const PointColumns& ray_pairs, const RefineOptions& options) {
+DirectionInformation direction_information(const Pose& pose, const PointColumns& ray_pairs,
+                                           const RefineOptions& options) {
   // The derivative along t is (R x1 x x2) / sqrt(D) / sigma; the noise of both rays, sigma^2 (I - n n') with
   // the surface's normals n, gives it the covariance summed here.
   const bool plane = options.surface == ImageSurface::kPlane;
@@ -101,9 +95,9 @@ double noise_information(const Pose& pose, const PointColumns& ray_pairs, const 
   }
   const Eigen::Matrix<double, 3, 2> B = sphere_tangent(t);
   const NormalSums sums = sum_epipolar(ray_pairs, {pose.R, t}, options, EpipolarResidual::kSampson);
-  const Eigen::Vector2d worst =
-      smallest(direction_information(normal_equations<MotionUpToScale>(sums, {pose.R, t}))).vector;
-  return worst.dot(B.transpose() * sum * B * worst);
+  const Eigenpair worst =
+      smallest(information_of_direction(normal_equations<MotionUpToScale>(sums, {pose.R, t})));
+  return {std::max(worst.value, 0.0), worst.vector.dot(B.transpose() * sum * B * worst.vector)};
 }
 
 }  // namespace framewise

@@ -129,7 +129,8 @@ TEST(RefineRelativePose, DirectionInformationTellsParallaxFromNoise) {
       const Pose initial{p.cam2_from_cam1.R,
                          scene == Scene::kPureRotation ? random.direction() : p.cam2_from_cam1.t};
       const auto found = refine_relative_pose(initial, pairs, options);
-      ratios.push_back(found.direction_information / noise_information(found.pose, pairs, options));
+      const DirectionInformation direction = direction_information(found.pose, pairs, options);
+      ratios.push_back(direction.measured / direction.feigned);
     }
     std::sort(ratios.begin(), ratios.end());
     return ratios;
@@ -153,8 +154,8 @@ TEST(RefineRelativePose, WithParallaxAboveTheNoiseCovarianceIsHonestForSmallMoti
     fill_ray_pairs(pairs, testing::noisy_rays(p.x1, options.surface, options.sigma, random),
                    testing::noisy_rays(p.x2, options.surface, options.sigma, random), options.surface);
     const auto found = refine_relative_pose(p.cam2_from_cam1, pairs, options);
-    const double ratio = found.direction_information / noise_information(found.pose, pairs, options);
-    (ratio > 4 ? clear : unclear)
+    const DirectionInformation direction = direction_information(found.pose, pairs, options);
+    (direction.measured > 4 * direction.feigned ? clear : unclear)
         .add(testing::error_up_to_scale(found.pose, p.cam2_from_cam1),
              testing::covariance_up_to_scale(found.pose, found.covariance));
   }

@@ -52,7 +52,7 @@ TEST(RefineRgbdPair, ExactDataLeadBackToTheTruth) {
 TEST(RefineRgbdPair, CovarianceIsConsistentAndTheEstimateUnbiased) {
   for (const double level : {0.5, 1.0})
     for (const double missing : {0.0, 0.5, 0.9}) {
-      // With hardly a depth left, little motion is the rays' own trouble (noise_information).
+      // With hardly a depth left, little motion is the rays' own trouble (direction_information).
       const Scene scene = missing > 0.5 ? Scene::kRandom : Scene::kOdometry;
       Random random(2);
       testing::Consistency consistency;
