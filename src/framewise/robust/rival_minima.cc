@@ -75,7 +75,7 @@ Settled settle_minimum(const TwoViews& views, const Consensus& consensus, double
   refine.sigma = consensus.sigma;
   refine.surface = views.surface;
   refine.max_iterations = 15;
-  refine.tolerance = 0.1;             // nothing beside the margins
+  refine.tolerance = 0.1;              // nothing beside the margins
   refine.loss = {Loss::kCauchy, 2.0};  // members of one minimum are in part outliers of another
 
   std::vector<Minimum> minima{
