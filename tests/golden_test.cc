@@ -14,6 +14,7 @@
 
 #include "framewise/evaluation/evaluation.h"
 #include "framewise/evaluation/kitti_segments.h"
+#include "framewise/evaluation/presets.h"
 #include "framewise/io/trajectory_files.h"
 
 namespace framewise {
@@ -72,8 +73,8 @@ DeltaUnit unit_of(const std::string& letter) {
 }
 
 EvaluationOptions evo_options(const Command& command) {
-  EvaluationOptions options;
-  options.association.max_difference = command.value("--t_max_diff", 0.01);
+  EvaluationOptions options = evaluation_preset("evo");
+  if (command.has("--t_max_diff")) options.association.max_difference = command.value("--t_max_diff", 0);
   options.association.time_offset = command.value("--t_offset", 0);
   if (command.files[0] == "kitti") options.association.method = AssociationMethod::kIndex;
   options.from_time = command.value("--t_start", options.from_time);
@@ -96,14 +97,13 @@ EvaluationOptions evo_options(const Command& command) {
 }
 
 EvaluationOptions tum_options(const Command& command) {
-  EvaluationOptions options;
-  options.association.method = AssociationMethod::kGreedy;
-  options.association.max_difference = command.value("--max_difference", 0.02);
+  EvaluationOptions options = evaluation_preset("tum");
+  if (command.has("--max_difference"))
+    options.association.max_difference = command.value("--max_difference", 0);
   options.association.time_offset = command.value("--offset", 0);
   options.estimate_scale = command.value("--scale", 1);
   options.relative.delta = command.value("--delta", 1);
   options.relative.unit = unit_of(command.text("--delta_unit", "s"));
-  options.relative.pairs = PairChoice::kTum;
   return options;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "framewise/geometry/so3.h"
 
@@ -51,9 +52,9 @@ std::vector<double> in_degrees(std::vector<double> errors) {
 std::optional<RelativeErrors> relative_errors_of(const std::vector<RelativeMotion>& motions,
                                                  RelativeErrorOrder order) {
   if (motions.empty()) return std::nullopt;
-  return RelativeErrors{
-      statistics(relative_errors(motions, PoseRelation::kTranslation, order)),
-      statistics(in_degrees(relative_errors(motions, PoseRelation::kRotationAngle, order)))};
+  return RelativeErrors{statistics(relative_errors(motions, PoseRelation::kTranslation, order)),
+                        statistics(in_degrees(relative_errors(motions, PoseRelation::kRotationAngle, order))),
+                        statistics(relative_errors(motions, PoseRelation::kDirection, order))};
 }
 
 // The position at which a camera that stands still ends up. Every alignment that may move it freely puts it
@@ -170,6 +171,9 @@ Evaluation evaluate(const Trajectory& reference, const Trajectory& estimate,
   e.ate = statistics(absolute_errors(e.poses, PoseRelation::kTranslation));
   e.ate_rotation_deg = statistics(in_degrees(absolute_errors(e.poses, PoseRelation::kRotationAngle)));
   e.rpe = relative_errors_of(e.motions, e.options.relative.resolved_order());
+  e.axes = axis_errors(e.poses);
+  if (SegmentErrors kitti = kitti_segment_errors(e.poses); !kitti.segments.empty())
+    e.kitti = std::move(kitti);
   e.static_baseline = static_baseline(matched, e.motions, e.options);
 
   e.path_length = path_length(e.poses.reference);

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "framewise/evaluation/axis_errors.h"
+#include "framewise/evaluation/kitti_segments.h"
 #include "framewise/evaluation/motion_pairs.h"
 #include "framewise/evaluation/statistics.h"
 #include "framewise/evaluation/trajectory_alignment.h"
@@ -40,6 +42,7 @@ struct StaticBaseline {
 struct RelativeErrors {
   Statistics translation;   // m
   Statistics rotation_deg;  // degrees, as people read them
+  Statistics direction;     // of the translations' unit vectors, 0 to 2 (PoseRelation::kDirection)
 };
 
 struct Evaluation {
@@ -48,6 +51,8 @@ struct Evaluation {
   Statistics ate;                     // distance of the positions (m)
   Statistics ate_rotation_deg;        // angle between the orientations (degrees)
   std::optional<RelativeErrors> rpe;  // unset when no two poses are delta apart
+  AxisErrors axes;
+  std::optional<SegmentErrors> kitti;  // unset where the path is shorter than 100 m
   StaticBaseline static_baseline;
 
   Similarity reference_from_estimate;  // the alignment found, of the estimate after estimate_scale

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "framewise/evaluation/kitti_segments.h"
+#include "framewise/evaluation/presets.h"
 #include "framewise/geometry/so3.h"
 
 namespace framewise {
@@ -291,6 +292,40 @@ TEST(KittiSegments, AScaledStraightRoadErrsByTheScale) {
   EXPECT_NEAR(e.translation_percent, 2.015, 0.01);
   EXPECT_EQ(e.rotation_deg_per_100m, 0);
   EXPECT_TRUE(kitti_segment_errors({straight(), straight()}).segments.empty());
+}
+
+TEST(Evaluate, DirectionErrorIsBlindToTheLengthOfSteps) {
+  Trajectory doubled = walk();
+  for (Pose& pose : doubled.world_from_cam) pose.t *= 2;
+  const Evaluation e = evaluate(walk(), doubled, with(Alignment::kNone));
+  EXPECT_LT(e.rpe->direction.max, 1e-9);
+  EXPECT_GT(e.rpe->translation.min, 1e-3);
+}
+
+TEST(Evaluate, DirectionErrorOfTheOppositeWayIsTwo) {
+  Trajectory back = straight();
+  for (Pose& pose : back.world_from_cam) pose.t = -pose.t;
+  EXPECT_NEAR(evaluate(straight(), back, with(Alignment::kNone)).rpe->direction.min, 2, 1e-12);
+}
+
+TEST(Evaluate, KittiSegmentsStandWhereThePathIsLongEnough) {
+  EXPECT_FALSE(evaluate(walk(), walk(), {}).kitti);
+  Trajectory longer = straight(150);
+  ASSERT_TRUE(evaluate(longer, longer, {}).kitti);
+  EXPECT_EQ(evaluate(longer, longer, {}).kitti->translation_percent, 0);
+}
+
+TEST(Presets, EachHasItsToolsRulesAndAnUnknownOneListsThem) {
+  EXPECT_EQ(evaluation_preset("evo").alignment, Alignment::kNone);
+  EXPECT_EQ(evaluation_preset("tum").relative.resolved_order(), RelativeErrorOrder::kTum);
+  EXPECT_EQ(evaluation_preset("kitti").association.method, AssociationMethod::kIndex);
+  EXPECT_EQ(evaluation_preset("lab").association.method, AssociationMethod::kInterpolated);
+  try {
+    evaluation_preset("rpg");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("evo tum kitti lab"));
+  }
 }
 
 }  // namespace

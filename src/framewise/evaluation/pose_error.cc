@@ -24,11 +24,17 @@ double size_of(const Pose& E, PoseRelation relation) {
   }
 }
 
+Eigen::Vector3d direction(const Eigen::Vector3d& t) {
+  constexpr double kStandsStill = 1e-6;  // m: shorter steps have no direction and are taken as they are
+  return t.norm() > kStandsStill ? Eigen::Vector3d(t.normalized()) : t;
+}
+
 }  // namespace
 
 std::vector<double> absolute_errors(const TrajectoryPair& matched, PoseRelation relation) {
-  if (relation == PoseRelation::kPointDistanceRatio)
-    throw std::invalid_argument("absolute_errors: point_distance_ratio is defined for relative errors only");
+  if (relation == PoseRelation::kPointDistanceRatio || relation == PoseRelation::kDirection)
+    throw std::invalid_argument(
+        "absolute_errors: point_distance_ratio and direction are defined for relative errors only");
   std::vector<double> errors;
   for (std::size_t i = 0; i < matched.size(); ++i) {
     const Pose& reference = matched.reference.world_from_cam[i];
@@ -46,7 +52,9 @@ std::vector<double> relative_errors(std::span<const RelativeMotion> motions, Pos
   for (const RelativeMotion& motion : motions) {
     const Pose &A = motion.reference, &B = motion.estimate;
     const double difference = std::abs(motion.reference_distance - motion.estimate_distance);
-    if (relation == PoseRelation::kPointDistance) {
+    if (relation == PoseRelation::kDirection) {
+      errors.push_back((direction(A.t) - direction(B.t)).norm());
+    } else if (relation == PoseRelation::kPointDistance) {
       errors.push_back(difference);
     } else if (relation == PoseRelation::kPointDistanceRatio) {
       if (motion.reference_distance > 0) errors.push_back(difference / motion.reference_distance);
@@ -62,10 +70,7 @@ Trajectory projected(const Trajectory& trajectory, Plane plane) {
   const int normal = plane == Plane::kXy ? 2 : plane == Plane::kXz ? 1 : 0;
   Trajectory flat = trajectory;
   for (Pose& pose : flat.world_from_cam) {
-    const Eigen::Matrix3d& R = pose.R;
-    const double angles[] = {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))),
-                             std::atan2(R(1, 0), R(0, 0))};
-    pose.R = so3_exp(angles[normal] * Eigen::Vector3d::Unit(normal));
+    pose.R = so3_exp(euler_zyx(pose.R)[normal] * Eigen::Vector3d::Unit(normal));
     pose.t[normal] = 0;
   }
   return flat;

@@ -18,6 +18,8 @@ enum class PoseRelation {
   kFull,                // |E - I|, Frobenius of the 4x4 matrices: metres and radians mixed
   kPointDistance,       // absolute: as translation. Relative: ||t(A)| - |t(B)|| (m), blind to rotation
   kPointDistanceRatio,  // relative only: point_distance / |t(A)|; pairs that truly stood still are left out
+  kDirection,           // relative only: distance of the unit vectors along t(A) and t(B), 0 to 2, for steps
+                        // whose length is unknown
 };
 
 // Which way round the relative error of a true motion A and an estimated motion B is formed. The angles
@@ -37,7 +39,7 @@ struct RelativeMotion {
   double estimate_distance;
 };
 
-// One error a pose. point_distance_ratio throws std::invalid_argument.
+// One error a pose. point_distance_ratio and direction throw std::invalid_argument.
 std::vector<double> absolute_errors(const TrajectoryPair& matched, PoseRelation relation);
 
 // One error a motion.

@@ -102,5 +102,12 @@ TEST(Pose, InterpolationHitsBothEndsAndTurnsEvenly) {
   EXPECT_NEAR(rotation_angle(a.R.transpose() * interpolate(a, b, 0.25).R), 0.25 * whole, 1e-14);
 }
 
+TEST(So3, EulerAnglesMakeTheRotationAgain) {
+  for (const Eigen::Vector3d& angles : {Eigen::Vector3d(0.3, -1.2, 2.9), Eigen::Vector3d(-3.0, 1.5, -0.1)}) {
+    const Eigen::Vector3d x(angles.x(), 0, 0), y(0, angles.y(), 0), z(0, 0, angles.z());
+    EXPECT_LT((euler_zyx(so3_exp(z) * so3_exp(y) * so3_exp(x)) - angles).norm(), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace framewise

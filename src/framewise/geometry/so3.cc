@@ -53,6 +53,11 @@ double rotation_angle(const Eigen::Matrix3d& R) {
   return std::atan2(twice_sin_axis.norm(), R.trace() - 1.0);
 }
 
+Eigen::Vector3d euler_zyx(const Eigen::Matrix3d& R) {
+  return {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))),
+          std::atan2(R(1, 0), R(0, 0))};
+}
+
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   // Two reflections: along a, and along h, half way from a to b. They take a to -a, and -a to b.
   const Eigen::Vector3d in_plane = b - b.dot(a) * a;

@@ -24,6 +24,10 @@ Eigen::Matrix3d so3_right_jacobian(const Eigen::Vector3d& phi);
 // Angle of a rotation in [0, pi] (rad), accurate for tiny angles, where acos((trace - 1) / 2) is not.
 double rotation_angle(const Eigen::Matrix3d& R);
 
+// Euler angles (x, y, z) of R = Rz(z) Ry(y) Rx(x) (rad): roll, pitch, yaw of a body with z up. y is within
+// +-pi/2; at its ends x and z are not unique.
+Eigen::Vector3d euler_zyx(const Eigen::Matrix3d& R);
+
 // The smallest rotation that takes direction a to direction b (unit vectors); about some axis across a where
 // b is -a.
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b);

@@ -126,7 +126,7 @@ Pose kitti_pose(const std::string& path, const Row& row) {
 
 TrajectoryFormat format_of(const std::string& path, const Row& row) {
   const std::size_t columns = row.fields.size();
-  if (columns == 12 && !row.commas) return TrajectoryFormat::kitti;
+  if (columns == 12 && !row.commas) return TrajectoryFormat::kKitti;
   const bool integer =
       std::all_of(row.fields[0].begin(), row.fields[0].end(), [](char c) { return c >= '0' && c <= '9'; });
   if (columns >= 8 && row.commas && integer) return TrajectoryFormat::kEuroc;
@@ -206,7 +206,7 @@ TrajectoryFile read_trajectory(const std::filesystem::path& path, std::optional<
 
   TrajectoryFile file;
   file.format = format.value_or(format_of(name, rows[0]));
-  if (file.format == TrajectoryFormat::kitti) {
+  if (file.format == TrajectoryFormat::kKitti) {
     add_kitti(name, rows, times, file);
   } else {
     for (const Row& row : rows)

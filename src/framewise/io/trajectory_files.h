@@ -12,7 +12,7 @@ namespace framewise {
 
 enum class TrajectoryFormat {
   kTum,    // t tx ty tz qx qy qz qw, seconds
-  kitti,   // 12 numbers, the 3x4 matrix row by row; stamps in a file of their own or none
+  kKitti,  // 12 numbers, the 3x4 matrix row by row; stamps in a file of their own or none
   kEuroc,  // ns, x, y, z, qw, qx, qy, qz, ... separated by commas
 };
 

@@ -51,7 +51,7 @@ TEST(TrajectoryFiles, TumWithCommentsBlanksTabsAndAnyLineEnds) {
 TEST(TrajectoryFiles, KittiIsToldByItsTwelveColumns) {
   const fs::path path = file_with("1 0 0 7 0 0 -1 8 0 1 0 9\n1 0 0 1 0 1 0 2 0 0 1 3\n");
   const TrajectoryFile file = read_trajectory(path);
-  EXPECT_EQ(file.format, TrajectoryFormat::kitti);
+  EXPECT_EQ(file.format, TrajectoryFormat::kKitti);
   EXPECT_FALSE(file.has_times);
   EXPECT_EQ(file.trajectory.times, (std::vector<double>{0, 1}));
   EXPECT_EQ(file.trajectory.world_from_cam[0].t, Eigen::Vector3d(7, 8, 9));

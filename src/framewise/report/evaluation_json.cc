@@ -14,6 +14,26 @@ Json to_json(const Statistics& s) {
           {"std", s.std},   {"min", s.min},   {"max", s.max}};
 }
 
+Json to_json(const AxisErrors& axes) {
+  constexpr const char* kNames[] = {"x", "y", "z"};
+  Json json;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Statistics& s = axes.position[axis];
+    json[kNames[axis]] = {{"min", s.min},
+                          {"max", s.max},
+                          {"mean", s.mean},
+                          {"cumulative", axes.cumulative[axis]},
+                          {"euler_deg", to_json(axes.euler_deg[axis])}};
+  }
+  return json;
+}
+
+Json to_json(const SegmentErrors& kitti) {
+  return {{"segments", kitti.segments.size()},
+          {"translation_percent", kitti.translation_percent},
+          {"rotation_deg_per_100m", kitti.rotation_deg_per_100m}};
+}
+
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 }  // namespace
@@ -34,6 +54,10 @@ nlohmann::ordered_json to_json(const Evaluation& evaluation) {
   json["static_baseline"]["ate"] = e.static_baseline.ate;
   json["static_baseline"]["rpe_translation"] = or_null(e.static_baseline.rpe_translation);
   json["static_baseline"]["rpe_rotation_deg"] = or_null(e.static_baseline.rpe_rotation_deg);
+  json["ate_rotation_deg"] = to_json(e.ate_rotation_deg);
+  json["rpe_direction"] = e.rpe ? to_json(e.rpe->direction) : Json(nullptr);
+  json["axes"] = to_json(e.axes);
+  json["kitti"] = e.kitti ? to_json(*e.kitti) : Json(nullptr);
   return json;
 }
 

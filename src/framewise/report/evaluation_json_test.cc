@@ -32,7 +32,11 @@ TEST(EvaluationJson, HasTheKeysThatScriptsRelyOn) {
   using testing::ElementsAre;
   const auto json = to_json(quarter_turn(1));
   EXPECT_THAT(keys(json), ElementsAre("ate", "rpe", "alignment", "scale", "delta", "unit", "matched",
-                                      "coverage", "path_length", "static_baseline"));
+                                      "coverage", "path_length", "static_baseline", "ate_rotation_deg",
+                                      "rpe_direction", "axes", "kitti"));
+  EXPECT_THAT(keys(json["axes"]), ElementsAre("x", "y", "z"));
+  EXPECT_THAT(keys(json["axes"]["x"]), ElementsAre("min", "max", "mean", "cumulative", "euler_deg"));
+  EXPECT_TRUE(json["kitti"].is_null());  // the path is shorter than 100 m
   EXPECT_THAT(keys(json["ate"]), ElementsAre("rmse", "mean", "median", "std", "min", "max"));
   EXPECT_THAT(keys(json["rpe"]), ElementsAre("translation", "rotation_deg"));
   EXPECT_THAT(keys(json["rpe"]["translation"]), ElementsAre("rmse", "mean", "median", "std", "min", "max"));

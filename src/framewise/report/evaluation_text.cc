@@ -80,6 +80,29 @@ std::string relative_text(const Evaluation& e) {
          ", error " + (relative.resolved_order() == RelativeErrorOrder::kTum ? "A B^-1" : "B^-1 A");
 }
 
+// What a distance hides: which axis an error is along, and what it adds up to.
+std::string axis_rows(const AxisErrors& axes) {
+  std::ostringstream text;
+  text << std::setw(label_width) << "" << std::right;
+  for (const char* name : {"mean", "min", "max", "cumulative", "mean angle"})
+    text << std::setw(figure_width) << name;
+  text << '\n';
+  constexpr const char* kLabels[] = {"|x| (m, deg)", "|y| (m, deg)", "|z| (m, deg)"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Statistics& s = axes.position[axis];
+    text << std::left << std::setw(label_width) << kLabels[axis] << std::right;
+    for (const double value : {s.mean, s.min, s.max, axes.cumulative[axis], axes.euler_deg[axis].mean})
+      text << std::setw(figure_width) << figure(value);
+    text << '\n';
+  }
+  return text.str();
+}
+
+std::string kitti_text(const SegmentErrors& kitti) {
+  return figure(kitti.translation_percent) + " %, " + figure(kitti.rotation_deg_per_100m) +
+         " deg/100 m over " + std::to_string(kitti.segments.size()) + " stretches of 100 to 800 m";
+}
+
 std::string line(const std::string& label, const std::string& value) {
   return label + std::string(label_width - label.size(), ' ') + value + "\n";
 }
@@ -94,10 +117,12 @@ std::string to_text(const Evaluation& e) {
   if (e.rpe) {
     text += row("RPE (m)", e.rpe->translation, still.rpe_translation);
     text += row("RPE rotation (deg)", e.rpe->rotation_deg, still.rpe_rotation_deg);
+    text += row("RPE direction (0-2)", e.rpe->direction, std::nullopt);
   } else {
     text += line("RPE", "none: no two poses are delta apart");
   }
-  text += "\n";
+  text += "\n" + axis_rows(e.axes) + "\n";
+  if (e.kitti) text += line("KITTI segments", kitti_text(*e.kitti));
   text += line("alignment", alignment_text(e));
   text += line("RPE over", relative_text(e));
   text += line("matched", std::to_string(e.matched) + " of " + std::to_string(e.estimate_poses) +
