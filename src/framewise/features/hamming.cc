@@ -14,8 +14,8 @@
 namespace framewise {
 namespace {
 
-// Counts of bits are summed in bytes; a cell adds at most 8 to each, so so many cells fit.
-constexpr int kCellsInBytes = 31;
+// Counts of bits are summed in bytes; a cell of nibbles adds at most 4 to each, so as many cells fit.
+constexpr int kCellsInBytes = 62;
 
 typedef std::uint32_t Four __attribute__((vector_size(16)));
 
@@ -27,10 +27,12 @@ void hamming_portable(const std::int32_t* row, const std::int32_t* blocks, int c
       for (int begin = 0; begin < cells; begin += kCellsInBytes) {
         const int end = begin + kCellsInBytes < cells ? begin + kCellsInBytes : cells;
         Four bytes = {};
-        for (int k = begin; k < end; ++k) {
-          Four x;
+        for (int k = begin; k < end; k += 2) {
+          Four x, upper;
           std::memcpy(&x, blocks + k * kBlockRows + lane, sizeof x);
+          std::memcpy(&upper, blocks + (k + 1) * kBlockRows + lane, sizeof upper);
           x ^= static_cast<std::uint32_t>(row[k]);
+          x |= (upper ^ static_cast<std::uint32_t>(row[k + 1])) << 4;
           x -= (x >> 1) & 0x55555555u;
           x = (x & 0x33333333u) + ((x >> 2) & 0x33333333u);
           bytes += (x + (x >> 4)) & 0x0f0f0f0fu;
@@ -69,7 +71,7 @@ FRAMEWISE_AVX2 void hamming_avx2(const std::int32_t* row, const std::int32_t* bl
   constexpr int kVectors = kBlockRows / 8;
   const __m256i bits_of_nibble = _mm256_setr_epi8(0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4,  //
                                                   0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4);
-  const __m256i low = _mm256_set1_epi8(0x0f), ones8 = _mm256_set1_epi8(1), ones16 = _mm256_set1_epi16(1);
+  const __m256i ones8 = _mm256_set1_epi8(1), ones16 = _mm256_set1_epi16(1);
   for (int b = 0; b < block_count; ++b, keys += kBlockRows) {
     __m256i sums[kVectors] = {};
     for (int begin = 0; begin < cells; begin += kCellsInBytes) {
@@ -81,10 +83,7 @@ FRAMEWISE_AVX2 void hamming_avx2(const std::int32_t* row, const std::int32_t* bl
         for (int v = 0; v < kVectors; ++v) {
           const __m256i cell2 = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(blocks) + v);
           const __m256i x = _mm256_xor_si256(cell1, cell2);
-          const __m256i lower = _mm256_shuffle_epi8(bits_of_nibble, _mm256_and_si256(x, low));
-          const __m256i upper =
-              _mm256_shuffle_epi8(bits_of_nibble, _mm256_and_si256(_mm256_srli_epi16(x, 4), low));
-          bytes[v] = _mm256_add_epi8(_mm256_add_epi8(bytes[v], lower), upper);
+          bytes[v] = _mm256_add_epi8(bytes[v], _mm256_shuffle_epi8(bits_of_nibble, x));
         }
       }
       for (int v = 0; v < kVectors; ++v)

@@ -6,7 +6,9 @@
 
 namespace framewise {
 
-// Hamming distances of blocks of binary descriptors; a descriptor's last cell is filled up with zeros.
+// Hamming distances of blocks of binary descriptors. Four bytes take two cells: of each byte the lower four
+// bits, then of each the upper four, so that a table of 16 entries counts them. Bytes beyond the last are
+// zeros.
 BlockKernel hamming_kernel(Instructions instructions);
 
 // Hamming distances of one descriptor to those rows that are listed. Rows are `bytes` long and begin

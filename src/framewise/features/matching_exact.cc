@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/features/matching_exact.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "framewise/features/hamming.h"
@@ -17,8 +18,14 @@ struct Cells {
 };
 
 cv::Mat cells_of_bits(const cv::Mat& descriptors) {
-  cv::Mat cells(descriptors.rows, (descriptors.cols + 3) / 4, CV_32S, cv::Scalar(0));
-  for (int i = 0; i < cells.rows; ++i) std::memcpy(cells.ptr(i), descriptors.ptr(i), descriptors.cols);
+  cv::Mat cells(descriptors.rows, (descriptors.cols + 3) / 4 * 2, CV_32S);
+  for (int i = 0; i < cells.rows; ++i)
+    for (int k = 0; k < cells.cols; k += 2) {
+      std::uint32_t word = 0;
+      std::memcpy(&word, descriptors.ptr(i) + 2 * k, std::min(4, descriptors.cols - 2 * k));
+      cells.at<std::int32_t>(i, k) = static_cast<std::int32_t>(word & 0x0f0f0f0fu);
+      cells.at<std::int32_t>(i, k + 1) = static_cast<std::int32_t>(word >> 4 & 0x0f0f0f0fu);
+    }
   return cells;
 }
 

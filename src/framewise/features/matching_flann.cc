@@ -45,14 +45,13 @@ cv::Mat two_nearest(const cv::Mat& set, const cv::Mat& queries, Metric metric, c
   return indices;
 }
 
-// The indices that are some, in their order.
+// The indices that are some.
 void list(const cv::Mat& indices, int row, int rows, std::vector<int>& listed) {
   listed.clear();
   for (int k = 0; k < indices.cols; ++k) {
     const int index = indices.at<int>(row, k);
     if (index >= 0 && index < rows) listed.push_back(index);
   }
-  std::sort(listed.begin(), listed.end());
 }
 
 Nearest nearest_of(const std::vector<int>& listed, const std::vector<Key>& keys) {

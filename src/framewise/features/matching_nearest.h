@@ -14,8 +14,9 @@ struct Nearest {
   Key key = INT_MAX;
   Key second = INT_MAX;
 
+  // Another candidate, in any order.
   void see(int candidate, Key distance) {
-    if (distance < key)
+    if (distance < key || (distance == key && candidate < index))
       second = key, key = distance, index = candidate;
     else if (distance < second)
       second = distance;

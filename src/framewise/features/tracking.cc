@@ -19,6 +19,10 @@ void check_image(const TrackedImage& image, const char* name, const TrackOptions
                                 ", expected tracked_image with the same options");
 }
 
+std::string text(const cv::Size& size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
 // False for NaN. Within half a pixel of a pixel's centre, as Camera::contains.
 bool is_inside(const cv::Size& size, const cv::Point2f& p) {
   return p.x >= -0.5f && p.y >= -0.5f && p.x < size.width - 0.5f && p.y < size.height - 0.5f;
@@ -72,6 +76,9 @@ Tracks track_points(const TrackedImage& image1, const TrackedImage& image2,
   options.check();
   check_image(image1, "image1", options);
   check_image(image2, "image2", options);
+  if (image1.size != image2.size)
+    throw std::invalid_argument("image2: found " + text(image2.size) + " pixels beside " + text(image1.size) +
+                                ", expected images of one size");
   if (!predicted2.empty() && predicted2.size() != pixels1.size())
     throw std::invalid_argument("predicted2: found " + std::to_string(predicted2.size()) + " for " +
                                 std::to_string(pixels1.size()) + " pixels, expected as many, or none");

@@ -28,7 +28,7 @@ class PointGrid {
       if (is_finite(points[i])) sorted_[next[cell_of(points[i])]++] = static_cast<int>(i);
   }
 
-  // The points within the radius of a place, the lowest index first.
+  // The points within the radius of a place, in no order.
   void list_near(const cv::Point2f& place, std::vector<int>& listed) const {
     listed.clear();
     if (sorted_.empty() || !is_finite(place)) return;
@@ -39,7 +39,6 @@ class PointGrid {
         const double dy = points_[sorted_[k]].y - static_cast<double>(place.y);
         if (dx * dx + dy * dy <= radius_ * radius_) listed.push_back(sorted_[k]);
       }
-    std::sort(listed.begin(), listed.end());
   }
 
  private:
