@@ -45,23 +45,6 @@ void hamming_portable(const std::int32_t* row, const std::int32_t* blocks, int c
   }
 }
 
-inline __attribute__((always_inline)) Key distance(const std::uint8_t* a, const std::uint8_t* b, int bytes) {
-  Key sum = 0;
-  std::uint64_t x, y;
-  for (; bytes >= 8; bytes -= 8, a += 8, b += 8) {
-    std::memcpy(&x, a, 8);
-    std::memcpy(&y, b, 8);
-    sum += std::popcount(x ^ y);
-  }
-  for (; bytes > 0; --bytes) sum += std::popcount(static_cast<unsigned>(*a++ ^ *b++));
-  return sum;
-}
-
-void listed_portable(const std::uint8_t* descriptor, const std::uint8_t* rows, std::int64_t stride, int bytes,
-                     const int* listed, int count, Key* keys) {
-  for (int i = 0; i < count; ++i) keys[i] = distance(descriptor, rows + listed[i] * stride, bytes);
-}
-
 #ifdef FRAMEWISE_AVX2
 
 // Bits of a nibble by a table in a register: Mula, Kurz, Lemire, Faster population counts using AVX2
@@ -93,11 +76,6 @@ FRAMEWISE_AVX2 void hamming_avx2(const std::int32_t* row, const std::int32_t* bl
   }
 }
 
-FRAMEWISE_AVX2 void listed_avx2(const std::uint8_t* descriptor, const std::uint8_t* rows, std::int64_t stride,
-                                int bytes, const int* listed, int count, Key* keys) {
-  for (int i = 0; i < count; ++i) keys[i] = distance(descriptor, rows + listed[i] * stride, bytes);
-}
-
 #endif
 
 }  // namespace
@@ -110,13 +88,12 @@ BlockKernel hamming_kernel([[maybe_unused]] Instructions instructions) {
 }
 
 void hamming_to_listed(const std::uint8_t* descriptor, const std::uint8_t* rows, std::int64_t stride,
-                       int bytes, const int* listed, int count, Key* keys,
-                       [[maybe_unused]] Instructions instructions) {
-#ifdef FRAMEWISE_AVX2
-  if (instructions == Instructions::kAvx2)
-    return listed_avx2(descriptor, rows, stride, bytes, listed, count, keys);
-#endif
-  listed_portable(descriptor, rows, stride, bytes, listed, count, keys);
+                       int bytes, const int* listed, int count, Key* keys) {
+  for (int i = 0; i < count; ++i) {
+    const std::uint8_t* row = rows + listed[i] * stride;
+    keys[i] = 0;
+    for (int k = 0; k < bytes; ++k) keys[i] += std::popcount(static_cast<unsigned>(descriptor[k] ^ row[k]));
+  }
 }
 
 }  // namespace framewise

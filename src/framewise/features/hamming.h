@@ -14,6 +14,6 @@ BlockKernel hamming_kernel(Instructions instructions);
 // Hamming distances of one descriptor to those rows that are listed. Rows are `bytes` long and begin
 // `stride` bytes apart.
 void hamming_to_listed(const std::uint8_t* descriptor, const std::uint8_t* rows, std::int64_t stride,
-                       int bytes, const int* listed, int count, Key* keys, Instructions instructions);
+                       int bytes, const int* listed, int count, Key* keys);
 
 }  // namespace framewise

@@ -101,18 +101,14 @@ BlockKernel l2_byte_kernel([[maybe_unused]] Instructions instructions) {
 
 void l2_to_listed(const float* descriptor, const float* rows, std::int64_t stride, int components,
                   const int* listed, int count, Key* keys) {
-  constexpr int kAtOnce = 8;  // sums that do not wait for each other
-  for (int begin = 0; begin < count; begin += kAtOnce) {
-    const int n = count - begin < kAtOnce ? count - begin : kAtOnce;
-    const float* row[kAtOnce];
-    for (int i = 0; i < kAtOnce; ++i) row[i] = rows + listed[begin + (i < n ? i : 0)] * stride;
-    float sum[kAtOnce] = {};
-    for (int k = 0; k < components; ++k)
-      for (int i = 0; i < kAtOnce; ++i) {
-        const float x = row[i][k] - descriptor[k];
-        sum[i] += x * x;
-      }
-    for (int i = 0; i < n; ++i) keys[begin + i] = std::bit_cast<Key>(sum[i]);
+  for (int i = 0; i < count; ++i) {
+    const float* row = rows + listed[i] * stride;
+    float sum = 0;
+    for (int k = 0; k < components; ++k) {
+      const float x = row[k] - descriptor[k];
+      sum += x * x;
+    }
+    keys[i] = std::bit_cast<Key>(sum);
   }
 }
 

@@ -80,23 +80,37 @@ cv::Mat blocks_of(const cv::Mat& cells) {
 
 }  // namespace
 
-Neighbours exact_neighbours(const DescriptorPair& pair, bool both_ways, Instructions instructions) {
+BlockDistances::BlockDistances(const DescriptorPair& pair, Instructions instructions) {
   const Cells cells = cells_of(pair, instructions);
-  const cv::Mat blocks = blocks_of(cells.set2);
-  const AllPairs all{
-      cells.kernel,    cells.set1.ptr<std::int32_t>(), static_cast<std::int64_t>(cells.set1.step1()),
-      cells.set1.rows, blocks.ptr<std::int32_t>(),     cells.set2.rows,
-      cells.set1.cols};
+  rows1_ = cells.set1;
+  blocks2_ = blocks_of(cells.set2);
+  n2_ = cells.set2.rows;
+  kernel_ = cells.kernel;
+}
+
+AllPairs BlockDistances::all_pairs() const {
+  return {kernel_,     rows1_.ptr<std::int32_t>(),   static_cast<std::int64_t>(rows1_.step1()),
+          rows1_.rows, blocks2_.ptr<std::int32_t>(), n2_,
+          rows1_.cols};
+}
+
+void BlockDistances::to_blocks(int i, int first_block, int block_count, Key* keys) const {
+  kernel_(rows1_.ptr<std::int32_t>(i), blocks2_.ptr<std::int32_t>(first_block * rows1_.cols), rows1_.cols,
+          block_count, keys);
+}
+
+Neighbours exact_neighbours(const DescriptorPair& pair, bool both_ways, Instructions instructions) {
+  const BlockDistances distances(pair, instructions);
   Neighbours neighbours;
-  neighbours.of_set1.resize(cells.set1.rows);
+  neighbours.of_set1.resize(pair.set1.rows);
   if (!both_ways) {
-    find_nearest(all, instructions, neighbours.of_set1.data(), nullptr);
+    find_nearest(distances.all_pairs(), instructions, neighbours.of_set1.data(), nullptr);
     return neighbours;
   }
-  std::vector<Key> keys(cells.set2.rows, INT_MAX);
-  neighbours.of_set2.resize(cells.set2.rows, -1);
+  std::vector<Key> keys(pair.set2.rows, INT_MAX);
+  neighbours.of_set2.resize(pair.set2.rows, -1);
   const NearestOfSecond nearest2{keys.data(), neighbours.of_set2.data()};
-  find_nearest(all, instructions, neighbours.of_set1.data(), &nearest2);
+  find_nearest(distances.all_pairs(), instructions, neighbours.of_set1.data(), &nearest2);
   return neighbours;
 }
 

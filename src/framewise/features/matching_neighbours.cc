@@ -56,7 +56,7 @@ void DescriptorPair::to_listed(const cv::Mat& from, int row, const cv::Mat& to,
   keys.resize(listed.size());
   if (metric == Metric::kHamming)
     hamming_to_listed(from.ptr(row), to.data, static_cast<std::int64_t>(to.step[0]), to.cols, listed.data(),
-                      count, keys.data(), best_instructions());
+                      count, keys.data());
   else
     l2_to_listed(from.ptr<float>(row), to.ptr<float>(), static_cast<std::int64_t>(to.step1()), to.cols,
                  listed.data(), count, keys.data());

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "framewise/features/matching_neighbours.h"
+#include "framewise/features/matching_exact.h"
 
 namespace framewise {
 namespace {
@@ -28,17 +28,24 @@ class PointGrid {
       if (is_finite(points[i])) sorted_[next[cell_of(points[i])]++] = static_cast<int>(i);
   }
 
-  // The points within the radius of a place, in no order.
-  void list_near(const cv::Point2f& place, std::vector<int>& listed) const {
-    listed.clear();
+  // The points that are anywhere, cell by cell.
+  const std::vector<int>& sorted() const { return sorted_; }
+
+  // Hands over pieces [begin, end) of sorted() that hold all points near a place, and others.
+  template <class Use>
+  void pieces_near(const cv::Point2f& place, Use use) const {
     if (sorted_.empty() || !is_finite(place)) return;
-    const int from = column(place.x - radius_), to = column(place.x + radius_);
-    for (int r = row(place.y - radius_); r <= row(place.y + radius_); ++r)
-      for (int k = begins_[r * columns_ + from]; k < begins_[r * columns_ + to + 1]; ++k) {
-        const double dx = points_[sorted_[k]].x - static_cast<double>(place.x);
-        const double dy = points_[sorted_[k]].y - static_cast<double>(place.y);
-        if (dx * dx + dy * dy <= radius_ * radius_) listed.push_back(sorted_[k]);
-      }
+    const int from = column(place.x - radius_), to = column(place.x + radius_), last = row(place.y + radius_);
+    for (int r = row(place.y - radius_); r <= last; ++r) {
+      const int begin = begins_[r * columns_ + from], end = begins_[r * columns_ + to + 1];
+      if (begin < end) use(begin, end);
+    }
+  }
+
+  bool is_near(const cv::Point2f& place, int point) const {
+    const double dx = points_[point].x - static_cast<double>(place.x);
+    const double dy = points_[point].y - static_cast<double>(place.y);
+    return dx * dx + dy * dy <= radius_ * radius_;
   }
 
  private:
@@ -77,21 +84,34 @@ void check_sizes(const char* name, int rows, std::size_t found) {
                               std::to_string(rows) + " descriptors, expected as many");
 }
 
+cv::Mat rows_of(const cv::Mat& descriptors, const std::vector<int>& listed) {
+  cv::Mat rows(static_cast<int>(listed.size()), descriptors.cols, descriptors.type());
+  for (int i = 0; i < rows.rows; ++i) descriptors.row(listed[i]).copyTo(rows.row(i));
+  return rows;
+}
+
+// The second set is laid out as the grid has it, so that those near a place are few blocks, which are
+// compared whole.
 Neighbours neighbours_near(const DescriptorPair& pair, const std::vector<cv::Point2f>& predicted2,
                            const std::vector<cv::Point2f>& pixels2, double window_px) {
   const PointGrid grid(pixels2, window_px);
+  const std::vector<int>& sorted = grid.sorted();
   Neighbours neighbours{std::vector<Nearest>(pair.set1.rows), std::vector<int>(pair.set2.rows, -1)};
-  std::vector<Key> best2(pair.set2.rows, INT_MAX), keys;
-  std::vector<int> listed;
-  for (int i = 0; i < pair.set1.rows; ++i) {
-    grid.list_near(predicted2[i], listed);
-    pair.to_listed(i, listed, keys);
-    for (std::size_t k = 0; k < listed.size(); ++k) {
-      const int j = listed[k];
-      neighbours.of_set1[i].see(j, keys[k]);
-      if (keys[k] < best2[j]) best2[j] = keys[k], neighbours.of_set2[j] = i;
-    }
-  }
+  if (sorted.empty()) return neighbours;
+  const BlockDistances distances({pair.set1, rows_of(pair.set2, sorted)}, best_instructions());
+  std::vector<Key> best2(pair.set2.rows, INT_MAX), keys(sorted.size() + 2 * kBlockRows);
+  for (int i = 0; i < pair.set1.rows; ++i)
+    grid.pieces_near(predicted2[i], [&](int begin, int end) {
+      const int first = begin / kBlockRows;
+      distances.to_blocks(i, first, (end - 1) / kBlockRows - first + 1, keys.data());
+      for (int k = begin; k < end; ++k) {
+        const int j = sorted[k];
+        const Key key = keys[k - first * kBlockRows];
+        if (!grid.is_near(predicted2[i], j)) continue;
+        neighbours.of_set1[i].see(j, key);
+        if (key < best2[j]) best2[j] = key, neighbours.of_set2[j] = i;
+      }
+    });
   return neighbours;
 }
 
