@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
+#include "framewise/features/matching_blocks.h"
 
 namespace framewise {
 
-struct Nearest {
-  int index, distance;
-};
+// Hamming distances of blocks of binary descriptors. Four bytes take two cells: of each byte the lower four
+// bits, then of each the upper four, so that a table of 16 entries counts them. Bytes beyond the last are
+// zeros.
+BlockKernel hamming_kernel(Instructions instructions);
 
-// For every row of either set its nearest row in the other, by Hamming distance; ties to the lower index.
-// Rows are `words` 64-bit words, packed; nearest1[n1] and nearest2[n2] come in as {-1, INT_MAX}.
-// The instructions used are chosen when the program runs; the answer is the same with all of them.
-void nearest_by_hamming(const std::uint8_t* rows1, int n1, const std::uint8_t* rows2, int n2, int words,
-                        Nearest* nearest1, Nearest* nearest2);
+// Hamming distances of one descriptor to those rows that are listed. Rows are `bytes` long and begin
+// `stride` bytes apart.
+void hamming_to_listed(const std::uint8_t* descriptor, const std::uint8_t* rows, std::int64_t stride,
+                       int bytes, const int* listed, int count, Key* keys);
 
 }  // namespace framewise
