@@ -12,7 +12,8 @@ namespace framewise {
 namespace {
 
 const cv::Scalar kInlier(90, 230, 60), kOutlier(70, 60, 235);  // blue green red
-constexpr double kDim = 0.6;                                   // of the images, so that lines stand out
+constexpr double kLineOpacity = 0.45;                          // hundreds of lines must not hide the images
+constexpr double kDim = 0.75;                                  // of the images, so that lines stand out
 constexpr int kFraction = 4;                                   // bits of a pixel that lines are drawn to
 constexpr double kDotRadius = 1.5;                             // pixels
 
@@ -39,13 +40,11 @@ cv::Point fixed_point(const Eigen::Vector2d& pixel) {
   return {cvRound(std::ldexp(pixel.x(), kFraction)), cvRound(std::ldexp(pixel.y(), kFraction))};
 }
 
-void draw_match(cv::Mat& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
-                const cv::Scalar& color) {
-  const int radius = cvRound(std::ldexp(kDotRadius, kFraction));
-  cv::line(canvas, fixed_point(from), fixed_point(to), color, 1, cv::LINE_AA, kFraction);
-  for (const Eigen::Vector2d& end : {from, to})
-    cv::circle(canvas, fixed_point(end), radius, color, cv::FILLED, cv::LINE_AA, kFraction);
-}
+// Where each match that is inside both images lies on the canvas; the others below the inliers.
+struct DrawnMatch {
+  cv::Point from, to;
+  cv::Scalar color;
+};
 
 }  // namespace
 
@@ -60,12 +59,23 @@ cv::Mat draw_matches(const cv::Mat& image1, const cv::Mat& image2,
   paste(image1, canvas(cv::Rect(0, 0, image1.cols, image1.rows)), "image1");
   paste(image2, canvas(cv::Rect(image1.cols, 0, image2.cols, image2.rows)), "image2");
 
+  std::vector<DrawnMatch> drawn;
   const Eigen::Vector2d beside(image1.cols, 0);
   for (const bool inlier : {false, true})
     for (std::size_t i = 0; i < pixels1.size(); ++i)
       if ((!inliers.empty() && inliers[i] != 0) == inlier && is_inside(image1, pixels1[i]) &&
           is_inside(image2, pixels2[i]))
-        draw_match(canvas, pixels1[i], pixels2[i] + beside, inlier ? kInlier : kOutlier);
+        drawn.push_back(
+            {fixed_point(pixels1[i]), fixed_point(pixels2[i] + beside), inlier ? kInlier : kOutlier});
+
+  cv::Mat lines = canvas.clone();
+  for (const DrawnMatch& match : drawn)
+    cv::line(lines, match.from, match.to, match.color, 1, cv::LINE_AA, kFraction);
+  cv::addWeighted(lines, kLineOpacity, canvas, 1 - kLineOpacity, 0, canvas);
+  for (const DrawnMatch& match : drawn)
+    for (const cv::Point& end : {match.from, match.to})
+      cv::circle(canvas, end, cvRound(std::ldexp(kDotRadius, kFraction)), match.color, cv::FILLED,
+                 cv::LINE_AA, kFraction);
   return canvas;
 }
 

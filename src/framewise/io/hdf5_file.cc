@@ -12,8 +12,12 @@ namespace {
 constexpr hsize_t kChunkRows = 8192;
 constexpr unsigned kCompressionLevel = 1;
 
+// All that is opened here is closed here, so there is nothing to tidy up when the program ends; after a write
+// that failed, the library's tidying up would crash (1.10).
 std::mutex& library_mutex() {
   static std::mutex mutex;
+  static const herr_t without_tidying_up = H5dont_atexit();
+  static_cast<void>(without_tidying_up);
   return mutex;
 }
 
