@@ -105,8 +105,9 @@ void run_images(const RunCommand& command, const Recording& recording, const Clo
   archive.finish();
 }
 
-Json resolved_options(const RunCommand& command) {
+Json resolved_options(const RunCommand& command, const Recording& recording) {
   Json options = options_json(command.odometry);
+  if (!recording.images) return options;
   options["max-time-difference"] = command.dataset.max_time_difference;
   options["max-truth-gap"] = command.dataset.max_truth_gap;
   return options;
@@ -139,7 +140,7 @@ int run(RunCommand& command, CLI::App& app) {
   }
 
   const auto evaluation = evaluate_run(recording, command.odometry, tally);
-  const Json run = run_record(recording, resolved_options(command), tally, seconds, evaluation);
+  const Json run = run_record(recording, resolved_options(command, recording), tally, seconds, evaluation);
   files.write_record(run.dump(2));
   if (command.json)
     fmt::print("{}\n", run.dump(2));
