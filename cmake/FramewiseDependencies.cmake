@@ -9,6 +9,10 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 
+# The serial C library, which Debian and Ubuntu call hdf5-serial. CMake's own FindHDF5 wants a C compiler.
+find_package(PkgConfig REQUIRED)
+pkg_search_module(HDF5 REQUIRED IMPORTED_TARGET GLOBAL hdf5-serial hdf5)
+
 # Debian 12 and Ubuntu 22.04 ship Embree 3, Ubuntu 24.04 ships Embree 4.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)

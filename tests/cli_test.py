@@ -7,7 +7,9 @@ import json
 import math
 import os
 import pathlib
+import resource
 import shutil
+import signal
 import struct
 import subprocess
 import tempfile
@@ -22,11 +24,12 @@ def framewise(*arguments):
     return subprocess.run([FRAMEWISE, *map(str, arguments)], capture_output=True, text=True, timeout=300)
 
 
-def write_png(path, width, height, bits, value):
-    """A gray image of one value."""
-    row = b"\0" + value.to_bytes(bits // 8, "big") * width
+def write_png(path, width, height, bits, value, color_type=0):
+    """An image of one value: gray, or as the PNG colour type says (6: red, green, blue and alpha)."""
+    channels = {0: 1, 2: 3, 6: 4}[color_type]
+    row = b"\0" + value.to_bytes(bits // 8, "big") * channels * width
     chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    header = struct.pack(">IIBBBBB", width, height, bits, 0, 0, 0, 0)
+    header = struct.pack(">IIBBBBB", width, height, bits, color_type, 0, 0, 0)
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(row * height))
                      + chunk(b"IEND", b""))
 
@@ -274,6 +277,278 @@ class BadInput(Recording):
     def test_output_that_cannot_be_written(self):
         self.out.write_text("a file")
         self.refuses(self.run_data(), "out")
+
+
+class Archive(Recording):
+    def trajectory(self):
+        return (self.out / "trajectory.tum").read_bytes()
+
+    def make_archive(self, *options):
+        archive = self.work / "matches.h5"
+        result = self.run_data("--archive", archive, *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return archive
+
+    def run_archive(self, archive, *options):
+        return framewise("run", archive, "--out", self.out, "--quiet", *options)
+
+    def test_solves_again_to_the_byte_without_images(self):
+        archive = self.make_archive("--solver", "kabsch", "--seed", 5)
+        methods = [("kabsch", "depth"), ("nister-5pt", "depth"), ("nister-5pt", "truth"), ("eight-point", "none")]
+        for solver, scale in methods:
+            with self.subTest(solver=solver, scale=scale):
+                self.run_data("--solver", solver, "--scale", scale, "--seed", 5)
+                direct, direct_run = self.trajectory(), json.loads((self.out / "run.json").read_text())
+                hidden = self.data.rename(self.work / "hidden")
+                for threads in (1, 2):
+                    result = self.run_archive(archive, "--solver", solver, "--scale", scale, "--seed", 5, "--threads", threads)
+                    self.assertEqual(result.returncode, 0, result.stderr)
+                    self.assertEqual(self.trajectory(), direct)
+                run = json.loads((self.out / "run.json").read_text())
+                self.assertEqual(run["evaluation"], direct_run["evaluation"])
+                self.assertEqual(run["dataset"], direct_run["dataset"])
+                self.assertEqual(run["archive"]["pairs"], self.FRAMES - 1)
+                hidden.rename(self.data)
+
+    def test_has_the_same_bytes_whenever_and_however_it_is_made(self):
+        made = set()
+        for options in (("--threads", 1), ("--threads", 2), ("--solver", "nister-5pt", "--seed", 3)):
+            made.add(self.make_archive(*options).read_bytes())
+        self.assertEqual(len(made), 1)
+
+    def test_writing_it_changes_no_trajectory(self):
+        self.run_data()
+        without = self.trajectory()
+        self.make_archive()
+        self.assertEqual(self.trajectory(), without)
+
+    def test_keeps_the_pairs_that_bridged_a_loss(self):
+        for _, file in self.listed("rgb.txt")[5:7]:
+            write_png(self.data / file, 640, 480, 8, 90)
+        archive = self.make_archive()
+        direct = self.trajectory()
+        self.assertEqual(self.run_archive(archive).returncode, 0)
+        self.assertEqual(self.trajectory(), direct)
+        run = json.loads((self.out / "run.json").read_text())
+        self.assertEqual(run["archive"]["pairs"], self.FRAMES - 1 + 2)
+        self.assertEqual(run["archive"]["missing_pairs"], 0)
+        # A method that loses other frames asks for pairs that nobody matched: those frames are lost, and it is said.
+        self.assertEqual(self.run_archive(archive, "--min-inliers", 5000).returncode, 1)
+        self.assertGreater(json.loads((self.out / "run.json").read_text())["archive"]["missing_pairs"], 0)
+
+    def test_its_matches_keep_the_options_they_were_made_with(self):
+        archive = self.make_archive("--features", 400, "--subpixel", "none")
+        direct = self.trajectory()
+        self.assertEqual(self.run_archive(archive).returncode, 0)
+        self.assertEqual(self.trajectory(), direct)
+        self.assertEqual(json.loads((self.out / "run.json").read_text())["options"]["features"], 400)
+        self.assertEqual(self.run_archive(archive, "--features", 400).returncode, 0)
+        self.refuses(self.run_archive(archive, "--features", 500), "matches.h5", "features", "'400'", "'500'")
+        config = self.work / "run.yaml"
+        config.write_text("subpixel: align\n")
+        self.refuses(self.run_archive(archive, "--config", config), "subpixel", "'none'", "'align'")
+
+    def test_what_needs_images_is_refused(self):
+        archive = self.make_archive()
+        for option, value in (("--camera", self.data / "camera.yaml"), ("--depth-factor", 1000), ("--archive", archive),
+                              ("--export-features", self.work / "features")):
+            self.refuses(self.run_archive(archive, option, value), "matches.h5", option[2:])
+
+    def test_bad_archives_are_refused(self):
+        archive = self.make_archive()
+        whole = archive.read_bytes()
+        for size in (0, 5, 100, 2000, len(whole) // 2, len(whole) - 1):
+            archive.write_bytes(whole[:size])
+            self.refuses(self.run_archive(archive), "matches.h5")
+        changed = bytearray(whole)
+        for at in range(len(whole) // 3, len(whole) // 3 + 64):
+            changed[at] ^= 0x5a
+        archive.write_bytes(changed)
+        self.refuses(self.run_archive(archive), "matches.h5")
+        archive.write_text("time x y z\n" * 100)
+        self.refuses(self.run_archive(archive), "matches.h5", "HDF5")
+        self.refuses(self.run_data("--archive", archive), "matches.h5")
+        self.refuses(self.run_data("--archive", self.work / "no" / "folder.h5"), "folder.h5")
+
+    def test_a_run_that_breaks_off_leaves_no_archive(self):
+        archive = self.make_archive()
+        _, file = self.listed("rgb.txt")[8]
+        path = self.data / file
+        path.write_bytes(path.read_bytes()[:5000])
+        self.refuses(self.run_data("--archive", archive), path.name)
+        self.assertEqual(list(self.work.glob("matches*")), [])
+
+    def test_a_full_disk_is_said_in_a_line(self):
+        limit = lambda: (signal.signal(signal.SIGXFSZ, signal.SIG_IGN), resource.setrlimit(resource.RLIMIT_FSIZE, (150_000,) * 2))
+        result = subprocess.run([FRAMEWISE, "run", str(self.data), "--out", str(self.out), "--quiet", "--archive", str(self.work / "matches.h5")],
+                                capture_output=True, text=True, timeout=300, preexec_fn=limit)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertIn("matches.h5", result.stderr)
+        self.assertEqual(list(self.work.glob("matches*")), [])
+
+
+def rows(numbers, size):
+    return [numbers[i:i + size] for i in range(0, len(numbers), size)]
+
+
+def times(a, b):
+    return [[sum(x * y for x, y in zip(row, column)) for column in zip(*b)] for row in a]
+
+
+def transposed(a):
+    return [list(row) for row in zip(*a)]
+
+
+def rotation_of(q):
+    x, y, z, w = (c / math.hypot(*q) for c in q)
+    return [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
+
+
+class Relpose(Recording):
+    FIELDS = ["rotation", "translation", "matches", "inliers", "status", "covariance", "euler_deg"]
+
+    def views(self, i, j):
+        """Two images of the recording with their depth images."""
+        colors, depths = ([self.data / file for _, file in self.listed(name)] for name in ("rgb.txt", "depth.txt"))
+        return colors[i], colors[j], depths[i], depths[j]
+
+    def true_motion(self, i, j):
+        """R, t of cam2_from_cam1."""
+        poses = {line[0]: [float(word) for word in line[1:]] for line in self.listed("groundtruth.txt")}
+        poses = [poses[time] for time, _ in self.listed("rgb.txt")]
+        (R1, c1), (R2, c2) = ((rotation_of(poses[k][3:]), poses[k][:3]) for k in (i, j))
+        back = transposed(R2)
+        return times(back, R1), [row[0] for row in times(back, [[a - b] for a, b in zip(c1, c2)])]
+
+    def relpose(self, *arguments):
+        return framewise("relpose", *arguments, "--camera", self.data / "camera.yaml")
+
+    def answer(self, *arguments, code=0):
+        result = self.relpose(*arguments, "--json")
+        self.assertEqual(result.returncode, code, result.stderr)
+        answer = json.loads(result.stdout)
+        self.assertEqual(list(answer), self.FIELDS)
+        return answer
+
+    def angle_deg(self, a, b):
+        return math.degrees(math.acos(max(-1, min(1, sum(x * y for x, y in zip(a, b)) / math.hypot(*a) / math.hypot(*b)))))
+
+    def check_rotation(self, answer, R):
+        error = times(transposed(rows(answer["rotation"], 3)), R)
+        sine = math.hypot(error[2][1] - error[1][2], error[0][2] - error[2][0], error[1][0] - error[0][1]) / 2
+        self.assertLess(math.degrees(math.asin(min(1, sine))), 0.1)
+        x, y, z = (math.radians(a) for a in answer["euler_deg"])
+        Rx = [[1, 0, 0], [0, math.cos(x), -math.sin(x)], [0, math.sin(x), math.cos(x)]]
+        Ry = [[math.cos(y), 0, math.sin(y)], [0, 1, 0], [-math.sin(y), 0, math.cos(y)]]
+        Rz = [[math.cos(z), -math.sin(z), 0], [math.sin(z), math.cos(z), 0], [0, 0, 1]]
+        for found, expected in zip(sum(times(Rz, times(Ry, Rx)), []), answer["rotation"]):
+            self.assertAlmostEqual(found, expected, 12)
+
+    def test_finds_the_motion_between_two_images(self):
+        image1, image2, _, _ = self.views(0, 10)
+        R, t = self.true_motion(0, 10)
+        answer = self.answer(image1, image2)
+        self.check_rotation(answer, R)
+        self.assertAlmostEqual(math.hypot(*answer["translation"]), 1, 12)
+        self.assertLess(self.angle_deg(answer["translation"], t), 3)
+        self.assertIn(answer["status"], ("ok", "low-parallax"))
+        self.assertGreater(answer["inliers"], 50)
+        self.assertGreaterEqual(answer["matches"], answer["inliers"])
+        covariance = rows(answer["covariance"], 6)
+        self.assertEqual(len(covariance), 6)
+        for i in range(6):
+            self.assertGreater(covariance[i][i], 0)
+            for j in range(6):
+                self.assertAlmostEqual(covariance[i][j] / math.sqrt(covariance[i][i] * covariance[j][j]),
+                                       covariance[j][i] / math.sqrt(covariance[i][i] * covariance[j][j]), 6)
+
+    def test_depth_gives_metres(self):
+        image1, image2, depth1, depth2 = self.views(0, 10)
+        R, t = self.true_motion(0, 10)
+        for options in ((), ("--solver", "nister-5pt")):
+            answer = self.answer(image1, image2, "--depth1", depth1, "--depth2", depth2, *options)
+            self.check_rotation(answer, R)
+            self.assertLess(math.dist(answer["translation"], t), 0.01)
+
+    def test_the_motion_back_is_the_inverse(self):
+        image1, image2, depth1, depth2 = self.views(0, 5)
+        there = self.answer(image1, image2, "--depth1", depth1, "--depth2", depth2)
+        self.check_rotation(there, transposed(rows(self.answer(image2, image1)["rotation"], 3)))
+
+    def test_repeats_itself_and_draws(self):
+        image1, image2, _, _ = self.views(0, 5)
+        drawing = self.work / "matches.png"
+        said = {self.relpose(image1, image2, "--json", "--draw", drawing, "--threads", n).stdout for n in (1, 2)}
+        self.assertEqual(len(said), 1)
+        width, height = struct.unpack(">II", drawing.read_bytes()[16:24])
+        self.assertEqual((width, height), (1280, 480))
+        text = self.relpose(image1, image2).stdout
+        for word in ("rotation", "translation", "matches", "deg"):
+            self.assertIn(word, text)
+        self.assertEqual(self.relpose(image1, image2, "--quiet").stdout, "")
+
+    def test_exports_features_as_text(self):
+        image1, image2, _, _ = self.views(0, 1)
+        for folder in ("a", "b"):
+            self.assertEqual(self.relpose(image1, image2, "--export-features", self.work / folder).returncode, 0)
+        for name, image in (("image1.txt", image1), ("image2.txt", image2)):
+            text = (self.work / "a" / name).read_text()
+            self.assertEqual(text, (self.work / "b" / name).read_text())
+            head, *lines = text.splitlines()
+            self.assertTrue(head.startswith(f"# {image.name}: x y size angle_deg response octave, 32 bytes"), head)
+            self.assertGreater(len(lines), 300)
+            for line in lines:
+                self.assertEqual(len([float(word) for word in line.split()]), 6 + 32)
+        self.run_data("--export-features", self.work / "c")
+        self.assertEqual(len(list((self.work / "c").iterdir())), self.FRAMES)
+        self.assertEqual((self.work / "c" / "frame_000001.txt").read_text(), (self.work / "a" / "image2.txt").read_text())
+
+    def test_images_that_show_nothing_are_lost(self):
+        image1, image2, _, depth2 = self.views(0, 1)
+        write_png(image2, 640, 480, 8, 0)
+        for pair in ((image1, image2), (image2, image1), (image2, image2)):
+            answer = self.answer(*pair, "--draw", self.work / "lost.png", "--export-features", self.work / "none", code=1)
+            self.assertEqual(answer["status"], "lost")
+            self.assertEqual(answer["inliers"], 0)
+            for field in ("rotation", "translation", "covariance", "euler_deg"):
+                self.assertIsNone(answer[field])
+        self.assertEqual(len(self.relpose(image1, image2, "--quiet").stderr.splitlines()), 1)
+
+    def test_images_of_16_bits_and_with_alpha_are_taken_as_gray(self):
+        image1, image2, _, _ = self.views(0, 1)
+        for bits, color_type in ((16, 0), (16, 2), (8, 6), (16, 6)):
+            write_png(image2, 640, 480, bits, 77, color_type)
+            self.assertEqual(self.answer(image1, image2, code=1)["status"], "lost")
+
+    def test_depth_that_knows_nothing_says_so(self):
+        image1, image2, depth1, depth2 = self.views(0, 1)
+        write_png(depth2, 640, 480, 16, 0)
+        self.assertEqual(self.answer(image1, image2, "--depth1", depth1, "--depth2", depth2, code=1)["status"], "no-depth")
+
+    def test_bad_input_is_refused(self):
+        image1, image2, depth1, depth2 = self.views(0, 1)
+        small = self.work / "small.png"
+        for size in ((1, 1), (320, 240)):
+            write_png(small, *size, 8, 90)
+            self.refuses(self.relpose(image1, small), "small.png", "640 x 480")
+        write_png(small, 640, 480, 8, 90)
+        self.refuses(self.relpose(image1, image2, "--depth1", small, "--depth2", depth2), "small.png", "16-bit")
+        self.refuses(self.relpose(image1, image2, "--depth1", depth1), "depth2")
+        small.write_bytes(image1.read_bytes()[:3000])
+        self.refuses(self.relpose(small, image2), "small.png")
+        small.write_text("no image")
+        self.refuses(self.relpose(small, image2), "small.png")
+        self.refuses(self.relpose(self.work / "nothing.png", image2), "nothing.png")
+        self.refuses(self.relpose(image1, image2, "--solver", "kabsch"), "--depth1")
+        self.refuses(self.relpose(image1, image2, "--solver", "magic"), "magic")
+        self.refuses(self.relpose(image1, image2, "--scale", "truth"), "scale")
+        self.refuses(self.relpose(image1, image2, "--draw", self.work / "drawing.nothing"), "drawing.nothing")
+        self.refuses(self.relpose(image1, image2, "--export-features", small), "small.png")
+        self.refuses(framewise("relpose", image1, image2), "--camera")
+        self.refuses(framewise("relpose", image1, image2, "--camera", self.work / "none.yaml"), "none.yaml")
 
 
 class Evaluate(Recording):

@@ -129,6 +129,13 @@ void check_theta_range(const std::array<double, 2>& range) {
 
 }  // namespace
 
+std::optional<CameraModel> camera_model_from_name(std::string_view name) {
+  for (const CameraModel model :
+       {CameraModel::kPinhole, CameraModel::kFisheye, CameraModel::kEquirectangular})
+    if (name == name_of(model)) return model;
+  return std::nullopt;
+}
+
 const char* name_of(CameraModel model) {
   switch (model) {
     case CameraModel::kPinhole:

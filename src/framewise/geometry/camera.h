@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "framewise/geometry/pose.h"
 
@@ -26,6 +27,7 @@ namespace framewise {
 enum class CameraModel { kPinhole, kFisheye, kEquirectangular };
 
 const char* name_of(CameraModel model);
+std::optional<CameraModel> camera_model_from_name(std::string_view name);
 
 // Pixel (0, 0) is the centre of the first pixel: the image covers [-0.5, width - 0.5) x [-0.5, height - 0.5).
 struct Camera {

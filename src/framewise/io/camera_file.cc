@@ -50,9 +50,7 @@ class Fields {
 };
 
 CameraModel read_model(const std::filesystem::path& path, const std::string& name) {
-  for (const CameraModel model :
-       {CameraModel::kPinhole, CameraModel::kFisheye, CameraModel::kEquirectangular})
-    if (name == name_of(model)) return model;
+  if (const auto model = camera_model_from_name(name)) return *model;
   throw InputError(path, 0, "model", "'" + name + "'", "pinhole, fisheye or equirectangular");
 }
 

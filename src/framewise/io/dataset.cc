@@ -160,14 +160,14 @@ Dataset open_dataset(const fs::path& folder, const DatasetOptions& options) {
   return dataset;
 }
 
-Frame load_frame(const Dataset& dataset, std::size_t index) {
-  const FrameFiles& files = dataset.frames.at(index);
-  const Camera& camera = dataset.calibration.camera;
+Frame read_frame(const FrameFiles& files, const CameraFile& calibration,
+                 const std::string& calibration_source) {
+  const Camera& camera = calibration.camera;
   const auto check_size = [&](const fs::path& path, const cv::Mat& image) {
     if (image.cols == camera.width && image.rows == camera.height) return;
-    throw InputError(path, 0, "size", fmt::format("{} x {}", image.cols, image.rows),
-                     fmt::format("{} x {} as in the calibration ({})", camera.width, camera.height,
-                                 dataset.calibration_source));
+    throw InputError(
+        path, 0, "size", fmt::format("{} x {}", image.cols, image.rows),
+        fmt::format("{} x {} as in the calibration ({})", camera.width, camera.height, calibration_source));
   };
   Frame frame;
   frame.time = files.time;
@@ -176,9 +176,13 @@ Frame load_frame(const Dataset& dataset, std::size_t index) {
   if (!files.depth.empty()) {
     const cv::Mat raw = read_depth16(files.depth);
     check_size(files.depth, raw);
-    frame.depth = depth_from_raw(raw, dataset.calibration.depth_factor, dataset.calibration.depth_max);
+    frame.depth = depth_from_raw(raw, calibration.depth_factor, calibration.depth_max);
   }
   return frame;
+}
+
+Frame load_frame(const Dataset& dataset, std::size_t index) {
+  return read_frame(dataset.frames.at(index), dataset.calibration, dataset.calibration_source);
 }
 
 Trajectory truth_at_frames(const Dataset& dataset, double max_gap) {

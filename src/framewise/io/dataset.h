@@ -48,6 +48,11 @@ struct Dataset {
 // Throws InputError that names the file, the line, what was found and what was expected.
 Dataset open_dataset(const std::filesystem::path& folder, const DatasetOptions& options);
 
+// Decodes images that are one frame: gray and, where `depth` names a file, depth. Throws InputError; images
+// of another size than the camera's are refused.
+Frame read_frame(const FrameFiles& files, const CameraFile& calibration,
+                 const std::string& calibration_source);
+
 // Decodes a frame: gray and, where there is any, depth. Throws InputError; images of two sizes are refused.
 Frame load_frame(const Dataset& dataset, std::size_t index);
 

@@ -76,4 +76,14 @@ cv::Mat read_depth16(const std::filesystem::path& path) {
   return image;
 }
 
+void write_image(const std::filesystem::path& path, const cv::Mat& image) {
+  bool written = false;
+  try {
+    written = cv::imwrite(path.string(), image);
+  } catch (const cv::Exception&) {  // an ending that no format has
+  }
+  if (!written)
+    throw InputError(path, 0, "", "an image file that cannot be written", "one to create, such as out.png");
+}
+
 }  // namespace framewise

@@ -15,4 +15,7 @@ cv::Mat read_gray(const std::filesystem::path& path);
 // CV_16U, as stored: the caller knows the factor.
 cv::Mat read_depth16(const std::filesystem::path& path);
 
+// By the ending of its name. Throws InputError where it cannot be written.
+void write_image(const std::filesystem::path& path, const cv::Mat& image);
+
 }  // namespace framewise

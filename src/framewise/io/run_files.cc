@@ -4,18 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "framewise/io/input_error.h"
+#include "framewise/io/output_file.h"
 
 namespace framewise {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::ofstream open_for_writing(const fs::path& path) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  if (!file) throw InputError(path, 0, "", "a file that cannot be written", "a folder to write to (--out)");
-  return file;
-}
 
 // x y z and the quaternion x y z w, shortest decimals that read back as the same numbers.
 std::string numbers(const Pose& pose, char separator) {
@@ -27,12 +21,9 @@ std::string numbers(const Pose& pose, char separator) {
 }  // namespace
 
 RunFiles::RunFiles(const fs::path& folder) : folder_(folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    throw InputError(folder, 0, "", "a path that is no folder", "a folder to write to (--out)");
-  trajectory_ = open_for_writing(folder / "trajectory.tum");
-  frames_ = open_for_writing(folder / "frames.csv");
+  make_output_folder(folder, "--out");
+  trajectory_ = open_output_file(folder / "trajectory.tum", "--out");
+  frames_ = open_output_file(folder / "frames.csv", "--out");
   trajectory_ << "# time tx ty tz qx qy qz qw (s, m; world_from_camera, world = the first camera)\n";
   frames_ << "index,time,status,matches,inliers,step_tx,step_ty,step_tz,step_qx,step_qy,step_qz,step_qw,"
              "load_ms,features_ms,step_ms\n";
@@ -50,7 +41,7 @@ void RunFiles::add(const FrameLine& line) {
 
 void RunFiles::write_record(const std::string& json) const {
   const fs::path path = folder_ / "run.json", unfinished = folder_ / "run.json.part";
-  open_for_writing(unfinished) << json << '\n';
+  open_output_file(unfinished, "--out") << json << '\n';
   fs::rename(unfinished, path);
 }
 

@@ -225,7 +225,7 @@ std::string tum_line(double time, const Pose& world_from_cam) {
                    std::to_chars(text.data(), text.data() + text.size(), time, std::chars_format::fixed).ptr);
   const Eigen::Vector3d& t = world_from_cam.t;
   for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()})
-    line += " " + shortest(value + 0.0);  // no "-0"
+    line.append(1, ' ').append(shortest(value + 0.0));  // no "-0"
   return line;
 }
 

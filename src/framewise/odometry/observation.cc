@@ -11,9 +11,9 @@ std::optional<Sighting> sight(const cv::Mat& depth, const cv::Point2f& point, co
   const Eigen::Vector2d pixel(point.x, point.y);
   const auto bearing = camera.bearing(pixel);
   if (!bearing) return std::nullopt;
-  Sighting sighting{*bearing, Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())};
+  Sighting sighting{*bearing, std::numeric_limits<double>::quiet_NaN()};
   if (!depth.empty() && bearing->z() > 0)
-    if (const auto z = depth_at(depth, pixel, options)) sighting.point = (*z / bearing->z()) * *bearing;
+    if (const auto z = depth_at(depth, pixel, options)) sighting.z = *z;
   return sighting;
 }
 

@@ -15,12 +15,12 @@ namespace framewise {
 
 // What a camera saw at a pixel.
 struct Sighting {
-  Bearing bearing;        // unit length
-  Eigen::Vector3d point;  // in the camera (m); NaN where depth is unknown
+  Bearing bearing;  // unit length
+  double z;         // depth along the optical axis (m); NaN where unknown
 };
 
-// What odometry keeps of a frame: its images and its features with their bearings and, where depth is known,
-// their points. sightings[i] belongs to features.keypoints[i].
+// What odometry keeps of a frame: its images and its features with their bearings and depths.
+// sightings[i] belongs to features.keypoints[i].
 struct Observation {
   double time = 0;  // s
   Features features;

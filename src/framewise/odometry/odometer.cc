@@ -8,6 +8,7 @@
 #include <exception>
 #include <memory>
 
+#include "framewise/odometry/correspond.h"
 #include "framewise/odometry/trajectory_joiner.h"
 
 namespace framewise {
@@ -18,7 +19,9 @@ using SharedObservation = std::shared_ptr<const Observation>;
 // A frame on its way through the stages.
 struct Passage {
   std::size_t index = 0;
-  SharedObservation current, previous;
+  double time = 0;
+  SharedObservation current, previous;           // only where there are images
+  std::optional<Correspondences> with_previous;  // none for the first frame
   Step step;
   StageSeconds seconds;
   std::exception_ptr failure;  // kept until all earlier frames have been handed over
@@ -33,33 +36,23 @@ std::uint64_t pair_seed(std::uint64_t seed, std::size_t index1, std::size_t inde
   return z ^ (z >> 31);
 }
 
-// The stages. Observing and relating are pure and run side by side; pairing and joining see the frames in
-// order.
-class Odometer {
+// Correspondences from images. Observing and corresponding are pure and run side by side; the rest sees the
+// frames in order.
+class ImageFront {
  public:
-  Odometer(const FrameSource& frames, const Camera& camera, const OdometryOptions& options,
-           const Clock& clock)
-      : frames_(frames), camera_(camera), options_(options), clock_(clock), joiner_(options.max_bridge) {}
+  ImageFront(const FrameSource& frames, const Camera& camera, const OdometryOptions& options,
+             const Clock& clock, const OdometryTaps& taps)
+      : frames_(frames), camera_(camera), options_(options), clock_(clock), taps_(taps) {}
 
-  PassagePtr begin() {
-    auto passage = std::make_shared<Passage>();
-    passage->index = next_++;
-    return passage;
-  }
-  bool at_end() const { return next_ >= frames_.size; }
-
-  void observe(Passage& passage) const {
-    try {
-      const double start = clock_();
-      const Frame frame = frames_.load(passage.index);
-      const double loaded = clock_();
-      passage.current = std::make_shared<Observation>(
-          framewise::observe(frame, camera_, options_.features, options_.depth));
-      passage.seconds.load = loaded - start;
-      passage.seconds.features = clock_() - loaded;
-    } catch (...) {
-      passage.failure = std::current_exception();
-    }
+  void open(Passage& passage) const {
+    const double start = clock_();
+    const Frame frame = frames_.load(passage.index);
+    const double loaded = clock_();
+    passage.time = frame.time;
+    passage.current =
+        std::make_shared<Observation>(observe(frame, camera_, options_.features, options_.depth));
+    passage.seconds.load = loaded - start;
+    passage.seconds.features = clock_() - loaded;
   }
 
   void pair(Passage& passage) {
@@ -67,54 +60,135 @@ class Odometer {
     newest_ = passage.current;
   }
 
-  void relate(Passage& passage) const {
-    if (!passage.previous || !passage.current) return;
+  void correspond_with_previous(Passage& passage) const {
+    if (passage.previous && passage.current)
+      passage.with_previous = correspond(*passage.previous, *passage.current, camera_, options_);
+  }
+
+  void before_joining(const Passage& passage) const {
+    if (taps_.features) taps_.features(passage.index, passage.current->features);
+    if (taps_.pair && passage.with_previous)
+      taps_.pair(passage.index - 1, passage.index, *passage.with_previous);
+  }
+
+  std::optional<Correspondences> with_reference(const Passage& passage, std::size_t reference_index) const {
+    auto found = correspond(*reference_, *passage.current, camera_, options_);
+    if (taps_.pair) taps_.pair(reference_index, passage.index, found);
+    return found;
+  }
+
+  void refer_to(const Passage& passage) { reference_ = passage.current; }
+
+ private:
+  const FrameSource& frames_;
+  const Camera& camera_;
+  const OdometryOptions& options_;
+  const Clock& clock_;
+  const OdometryTaps& taps_;
+  SharedObservation newest_, reference_;
+};
+
+// Correspondences that were found before.
+class PairFront {
+ public:
+  PairFront(const PairSource& pairs, const Clock& clock) : pairs_(pairs), clock_(clock) {}
+
+  void open(Passage& passage) const {
     const double start = clock_();
-    passage.step = relate(*passage.previous, passage.index - 1, *passage.current, passage.index);
+    passage.time = pairs_.time(passage.index);
+    if (passage.index > 0) passage.with_previous = pairs_.pair(passage.index - 1, passage.index);
+    passage.seconds.load = clock_() - start;
+  }
+  void pair(Passage&) const {}
+  void correspond_with_previous(Passage&) const {}
+  void before_joining(const Passage&) const {}
+  std::optional<Correspondences> with_reference(const Passage& passage, std::size_t reference_index) const {
+    return pairs_.pair(reference_index, passage.index);
+  }
+  void refer_to(const Passage&) const {}
+
+ private:
+  const PairSource& pairs_;
+  const Clock& clock_;
+};
+
+// The stages. Opening and relating are pure and run side by side; pairing and joining see the frames in
+// order.
+template <typename Front>
+class Odometer {
+ public:
+  using Truth = std::function<std::optional<Pose>(std::size_t)>;
+
+  Odometer(Front front, std::size_t size, const Truth& truth, const Camera& camera,
+           const OdometryOptions& options, const Clock& clock)
+      : front_(std::move(front)),
+        size_(size),
+        truth_(truth),
+        camera_(camera),
+        options_(options),
+        clock_(clock),
+        joiner_(options.max_bridge) {}
+
+  PassagePtr begin() {
+    auto passage = std::make_shared<Passage>();
+    passage->index = next_++;
+    return passage;
+  }
+  bool at_end() const { return next_ >= size_; }
+
+  void open(Passage& passage) const {
+    try {
+      front_.open(passage);
+    } catch (...) {
+      passage.failure = std::current_exception();
+    }
+  }
+
+  void pair(Passage& passage) { front_.pair(passage); }
+
+  void relate(Passage& passage) const {
+    const double start = clock_();
+    front_.correspond_with_previous(passage);
+    if (passage.with_previous) passage.step = solve(*passage.with_previous, passage.index - 1, passage.index);
     passage.seconds.step = clock_() - start;
   }
 
   FrameResult join(Passage& passage) {
     if (passage.failure) std::rethrow_exception(passage.failure);
-    const auto to_reference = [&](const Observation& reference, std::size_t reference_index) {
-      return relate(reference, reference_index, *passage.current, passage.index);
+    front_.before_joining(passage);
+    const auto to_reference = [&](std::size_t reference_index) {
+      const auto shared = front_.with_reference(passage, reference_index);
+      return shared ? solve(*shared, reference_index, passage.index) : Step();
     };
-    const auto joined = passage.index == 0 ? joiner_.start(passage.current)
-                                           : joiner_.add(passage.current, passage.step, to_reference);
-    return {passage.index, passage.current->time, joined.step, joined.world_from_cam, passage.seconds};
+    const auto joined = passage.index == 0 ? joiner_.start(passage.time)
+                                           : joiner_.add(passage.time, passage.step, to_reference);
+    if (joiner_.reference_index() == passage.index) front_.refer_to(passage);
+    return {passage.index, passage.time, joined.step, joined.world_from_cam, passage.seconds};
   }
 
  private:
-  Step relate(const Observation& frame1, std::size_t index1, const Observation& frame2,
-              std::size_t index2) const {
+  Step solve(const Correspondences& shared, std::size_t index1, std::size_t index2) const {
     std::optional<double> true_length;
     if (options_.scale == "truth") {
-      const auto world_from_cam1 = frames_.truth(index1), world_from_cam2 = frames_.truth(index2);
+      const auto world_from_cam1 = truth_(index1), world_from_cam2 = truth_(index2);
       if (world_from_cam1 && world_from_cam2) true_length = (world_from_cam2->t - world_from_cam1->t).norm();
     }
-    return estimate_step(frame1, frame2, camera_, options_, pair_seed(options_.seed, index1, index2),
-                         true_length);
+    return estimate_step(shared, camera_, options_, pair_seed(options_.seed, index1, index2), true_length);
   }
 
-  const FrameSource& frames_;
+  Front front_;
+  std::size_t size_, next_ = 0;
+  const Truth& truth_;
   const Camera& camera_;
   const OdometryOptions& options_;
   const Clock& clock_;
   TrajectoryJoiner joiner_;
-  std::size_t next_ = 0;
-  SharedObservation newest_;
 };
 
-}  // namespace
-
-void run_odometry(const FrameSource& frames, const Camera& camera, const OdometryOptions& options,
-                  const Clock& clock, const std::function<void(const FrameResult&)>& sink) {
-  options.check();
-  camera.check();
-  Odometer odometer(frames, camera, options, clock);
+template <typename Front>
+void run(Odometer<Front>& odometer, int threads, const std::function<void(const FrameResult&)>& sink) {
   constexpr auto kInOrder = tbb::filter_mode::serial_in_order, kSideBySide = tbb::filter_mode::parallel;
-
-  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : options.threads);
+  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
   const std::size_t in_flight = 2 * static_cast<std::size_t>(arena.max_concurrency());
   arena.execute([&] {
     tbb::parallel_pipeline(
@@ -124,13 +198,33 @@ void run_odometry(const FrameSource& frames, const Camera& camera, const Odometr
           flow.stop();
           return nullptr;
         }) & tbb::make_filter<PassagePtr, PassagePtr>(kSideBySide, [&](PassagePtr p) {
-          return odometer.observe(*p), p;
+          return odometer.open(*p), p;
         }) & tbb::make_filter<PassagePtr, PassagePtr>(kInOrder, [&](PassagePtr p) {
           return odometer.pair(*p), p;
         }) & tbb::make_filter<PassagePtr, PassagePtr>(kSideBySide, [&](PassagePtr p) {
           return odometer.relate(*p), p;
         }) & tbb::make_filter<PassagePtr, void>(kInOrder, [&](PassagePtr p) { sink(odometer.join(*p)); }));
   });
+}
+
+}  // namespace
+
+void run_odometry(const FrameSource& frames, const Camera& camera, const OdometryOptions& options,
+                  const Clock& clock, const std::function<void(const FrameResult&)>& sink,
+                  const OdometryTaps& taps) {
+  options.check();
+  camera.check();
+  Odometer odometer(ImageFront(frames, camera, options, clock, taps), frames.size, frames.truth, camera,
+                    options, clock);
+  run(odometer, options.threads, sink);
+}
+
+void run_odometry(const PairSource& pairs, const Camera& camera, const OdometryOptions& options,
+                  const Clock& clock, const std::function<void(const FrameResult&)>& sink) {
+  options.check();
+  camera.check();
+  Odometer odometer(PairFront(pairs, clock), pairs.size, pairs.truth, camera, options, clock);
+  run(odometer, options.threads, sink);
 }
 
 }  // namespace framewise

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "framewise/odometry/observation.h"
 #include "framewise/odometry/step.h"
 
 namespace framewise {
@@ -14,6 +15,16 @@ struct FrameSource {
   std::size_t size = 0;
   std::function<Frame(std::size_t)> load;
   std::function<std::optional<Pose>(std::size_t)> truth;  // world_from_cam; only asked for scale "truth"
+};
+
+// Where correspondences come from that were found before. pair(i, j), i < j, may be called from any thread;
+// it is asked for all neighbours and, after a loss, for the frames back to the last good one. Where it knows
+// nothing of a pair, the later frame is lost. time (s) and truth as in FrameSource.
+struct PairSource {
+  std::size_t size = 0;  // frames
+  std::function<double(std::size_t)> time;
+  std::function<std::optional<Correspondences>(std::size_t index1, std::size_t index2)> pair;
+  std::function<std::optional<Pose>(std::size_t)> truth;
 };
 
 struct StageSeconds {
@@ -32,10 +43,24 @@ struct FrameResult {
 // Seconds of a steady clock; the library never reads one by itself.
 using Clock = std::function<double()>;
 
+// What else can be had of a run from images: called in the order of the frames, before the frame's result is
+// handed over, never two at a time. What they throw comes out like what the sink throws.
+struct OdometryTaps {
+  std::function<void(std::size_t index, const Features&)> features;
+  // Every pair that was matched: (index - 1, index), and after a loss (last good frame, index).
+  std::function<void(std::size_t index1, std::size_t index2, const Correspondences&)> pair;
+};
+
 // Runs over all frames in order and hands every one of them to `sink`, in order. Frames are loaded, described
 // and related on options.threads threads; neither that number nor their timing changes the result. What load
 // or sink throws comes out after all earlier frames have been handed over.
 void run_odometry(const FrameSource& frames, const Camera& camera, const OdometryOptions& options,
+                  const Clock& clock, const std::function<void(const FrameResult&)>& sink,
+                  const OdometryTaps& taps = {});
+
+// The same from correspondences: gives what the images gave, where the pairs are those that correspond() made
+// of them with the same options.
+void run_odometry(const PairSource& pairs, const Camera& camera, const OdometryOptions& options,
                   const Clock& clock, const std::function<void(const FrameResult&)>& sink);
 
 }  // namespace framewise

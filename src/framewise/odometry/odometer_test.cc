@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -116,6 +117,99 @@ TEST(RunOdometry, SaysNoDepthWhereThereIsNone) {
   EXPECT_EQ(results[2].step.status, Status::kNoDepth);
   EXPECT_EQ(results[3].step.status, Status::kNoDepth);
   EXPECT_EQ(results[3].world_from_cam.matrix(), results[1].world_from_cam.matrix());
+}
+
+// The pairs of a run, and the run once more from them.
+struct Replay {
+  std::map<std::pair<std::size_t, std::size_t>, Correspondences> pairs;
+  std::vector<std::pair<std::size_t, std::size_t>> order;
+  std::vector<FrameResult> direct, replayed;
+};
+
+Replay replay(const FrameSource& source, const Camera& camera, OdometryOptions options,
+              bool without_bridges = false) {
+  Replay run;
+  const auto clock = [] { return 0.0; };
+  OdometryTaps taps;
+  taps.pair = [&](std::size_t i, std::size_t j, const Correspondences& shared) {
+    run.pairs[{i, j}] = shared;
+    run.order.emplace_back(i, j);
+  };
+  run_odometry(
+      source, camera, options, clock, [&](const FrameResult& r) { run.direct.push_back(r); }, taps);
+  const PairSource pairs{source.size, [&](std::size_t i) { return run.direct[i].time; },
+                         [&](std::size_t i, std::size_t j) -> std::optional<Correspondences> {
+                           const auto found = run.pairs.find({i, j});
+                           if (found == run.pairs.end() || (without_bridges && j - i > 1))
+                             return std::nullopt;
+                           return found->second;
+                         },
+                         source.truth};
+  options.threads = 1;
+  run_odometry(pairs, camera, options, clock, [&](const FrameResult& r) { run.replayed.push_back(r); });
+  return run;
+}
+
+// Frames 4 and 5 show nothing.
+FrameSource with_a_loss(const Wall& wall) {
+  FrameSource source = wall.source(9);
+  source.load = [&](std::size_t i) {
+    Frame frame = wall.frame(i);
+    if (i == 4 || i == 5) frame.gray = cv::Scalar(90);
+    return frame;
+  };
+  return source;
+}
+
+TEST(RunOdometry, CorrespondencesGiveWhatTheirImagesGave) {
+  const Wall wall;
+  for (const char* solver : {"kabsch", "nister-5pt"}) {
+    OdometryOptions options;
+    options.solver = solver;
+    const Replay run = replay(with_a_loss(wall), wall.camera(), options);
+    ASSERT_EQ(run.replayed.size(), run.direct.size());
+    for (std::size_t i = 0; i < run.direct.size(); ++i) {
+      const FrameResult &direct = run.direct[i], &replayed = run.replayed[i];
+      EXPECT_EQ(replayed.time, direct.time);
+      EXPECT_EQ(replayed.step.status, direct.step.status) << i;
+      EXPECT_EQ(replayed.step.matches, direct.step.matches);
+      EXPECT_EQ(replayed.world_from_cam.matrix(), direct.world_from_cam.matrix()) << i;
+    }
+  }
+}
+
+TEST(RunOdometry, HandsOverNeighboursAndBridgesInTheFramesOrder) {
+  const Wall wall;
+  using Order = std::vector<std::pair<std::size_t, std::size_t>>;
+  const Order expected = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {3, 5}, {5, 6}, {3, 6}, {6, 7}, {7, 8}};
+  for (const int threads : {1, 4}) {
+    OdometryOptions options;
+    options.threads = threads;
+    EXPECT_EQ(replay(with_a_loss(wall), wall.camera(), options).order, expected);
+  }
+}
+
+TEST(RunOdometry, AFrameIsLostWhereItsBridgeIsNotKnown) {
+  const Wall wall;
+  const Replay run = replay(with_a_loss(wall), wall.camera(), {}, true);
+  EXPECT_EQ(run.direct[6].step.status, Status::kOk);
+  EXPECT_EQ(run.replayed[6].step.status, Status::kLost);
+  EXPECT_EQ(run.replayed[6].world_from_cam.matrix(), run.replayed[3].world_from_cam.matrix());
+}
+
+TEST(RunOdometry, HandsOverEveryFramesFeaturesInOrder) {
+  const Wall wall;
+  OdometryTaps taps;
+  std::vector<std::size_t> seen;
+  taps.features = [&](std::size_t index, const Features& features) {
+    seen.push_back(index);
+    EXPECT_EQ(features.descriptors.rows, static_cast<int>(features.keypoints.size()));
+    EXPECT_GT(features.descriptors.rows, 100);
+  };
+  run_odometry(
+      wall.source(5), wall.camera(), {}, [] { return 0.0; },
+      [&](const FrameResult& result) { EXPECT_EQ(seen.back(), result.index); }, taps);
+  EXPECT_EQ(seen, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
 }
 
 TEST(RunOdometry, NoFramesGiveNoResults) {

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <optional>
+#include <vector>
 
 #include "framewise/geometry/camera.h"
-#include "framewise/odometry/observation.h"
+#include "framewise/geometry/correspondences.h"
 #include "framewise/odometry/options.h"
 #include "framewise/odometry/status.h"
 
@@ -15,15 +18,21 @@ namespace framewise {
 struct Step {
   Status status = Status::kLost;
   Pose cam2_from_cam1;           // only where is_measured(status)
-  int matches = 0;               // pairs of features that chose each other
-  int inliers = 0;               // of those, pairs that agree with the motion
+  int matches = 0;               // correspondences given
+  int inliers = 0;               // of those, the ones that agree with the motion
   int iterations = 0;            // of RANSAC
   double iterations_theory = 0;  // that the share of inliers asks for (ransac_iterations.h)
+  // Of the tangent vector (rotation, translation) of cam2_from_cam1, R exp(rotation) and t + translation, in
+  // rad and the unit of t, under the noise that the inliers show or the sensors are said to have. NaN where
+  // it is not known: all of it where no motion was measured, translation's part where the camera only turned.
+  // A step from bearings has rank 5, with nothing along t: what its length is worth is not told.
+  Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::uint8_t> inlier_mask;  // 1 for each correspondence that agrees; empty where none was found
 };
 
-// Matches two observations and estimates the motion between them. Where the scale comes from the truth,
-// true_length is the length of the true step (m); without it such a step is lost.
-Step estimate_step(const Observation& frame1, const Observation& frame2, const Camera& camera,
+// The motion that explains the correspondences of two frames, by options.solver. Where the scale comes from
+// the truth, true_length is the length of the true step (m); without it such a step is lost.
+Step estimate_step(const Correspondences& correspondences, const Camera& camera,
                    const OdometryOptions& options, std::uint64_t seed, std::optional<double> true_length);
 
 }  // namespace framewise

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
 #include "framewise/odometry/step.h"
 
@@ -14,7 +13,7 @@ namespace framewise {
 class TrajectoryJoiner {
  public:
   // Relates a frame to the reference: called only where the step from the frame before does not serve.
-  using Relate = std::function<Step(const Observation& reference, std::size_t reference_index)>;
+  using Relate = std::function<Step(std::size_t reference_index)>;
 
   struct Joined {
     Step step;
@@ -23,19 +22,23 @@ class TrajectoryJoiner {
 
   explicit TrajectoryJoiner(double max_bridge) : max_bridge_(max_bridge) {}
 
-  // The first frame; the world is its camera.
-  Joined start(std::shared_ptr<const Observation> frame);
+  // The first frame's time (s); the world is its camera.
+  Joined start(double time);
 
-  // The next frame, its step from the frame directly before it, and how to relate it to an older reference.
-  Joined add(std::shared_ptr<const Observation> frame, const Step& from_previous, const Relate& relate);
+  // The next frame's time, its step from the frame directly before it, and how to relate it to an older
+  // reference.
+  Joined add(double time, const Step& from_previous, const Relate& relate);
+
+  // Of the last frame with a measured pose, counted from 0.
+  std::size_t reference_index() const { return reference_index_; }
 
  private:
-  void refer_to(std::shared_ptr<const Observation> frame, const Pose& world_from_cam);
+  void refer_to(double time, const Pose& world_from_cam);
 
   double max_bridge_;
-  std::size_t index_ = 0;            // of the newest frame
-  std::size_t reference_index_ = 0;  // of the last frame with a measured pose
-  std::shared_ptr<const Observation> reference_;
+  std::size_t index_ = 0;  // of the newest frame
+  std::size_t reference_index_ = 0;
+  double reference_time_ = 0;
   Pose world_from_reference_;
 };
 

@@ -9,12 +9,6 @@
 namespace framewise {
 namespace {
 
-std::shared_ptr<const Observation> frame_at(double time) {
-  auto frame = std::make_shared<Observation>();
-  frame->time = time;
-  return frame;
-}
-
 // The camera moves 1 m along its own z in every step and turns a little.
 Step forward(double metres = 1) {
   Step step;
@@ -25,17 +19,17 @@ Step forward(double metres = 1) {
 
 Step lost() { return Step(); }
 
-Step never_called(const Observation&, std::size_t) {
+Step never_called(std::size_t) {
   ADD_FAILURE() << "the step from the frame before should have served";
   return Step();
 }
 
 TEST(TrajectoryJoiner, MultipliesStepsIntoPoses) {
   TrajectoryJoiner joiner(1.0);
-  joiner.start(frame_at(0));
+  joiner.start(0);
   Pose expected;
   for (int i = 1; i < 50; ++i) {
-    const auto joined = joiner.add(frame_at(0.1 * i), forward(), never_called);
+    const auto joined = joiner.add(0.1 * i, forward(), never_called);
     expected = expected * forward().cam2_from_cam1.inverse();
     EXPECT_LT((joined.world_from_cam.matrix() - expected.matrix()).norm(), 1e-11);
   }
@@ -43,20 +37,19 @@ TEST(TrajectoryJoiner, MultipliesStepsIntoPoses) {
 
 TEST(TrajectoryJoiner, RepeatsTheLastPoseWhileLost) {
   TrajectoryJoiner joiner(1.0);
-  joiner.start(frame_at(0));
-  const Pose last = joiner.add(frame_at(0.1), forward(), never_called).world_from_cam;
-  const auto joined = joiner.add(frame_at(0.2), lost(), never_called);
+  joiner.start(0);
+  const Pose last = joiner.add(0.1, forward(), never_called).world_from_cam;
+  const auto joined = joiner.add(0.2, lost(), never_called);
   EXPECT_EQ(joined.step.status, Status::kLost);
   EXPECT_EQ(joined.world_from_cam.matrix(), last.matrix());
 }
 
 TEST(TrajectoryJoiner, BridgesALossByTheLastGoodFrame) {
   TrajectoryJoiner joiner(1.0);
-  joiner.start(frame_at(0));
-  joiner.add(frame_at(0.1), forward(), never_called);
-  joiner.add(frame_at(0.2), lost(), never_called);
-  const auto joined = joiner.add(frame_at(0.3), lost(), [](const Observation& reference, std::size_t index) {
-    EXPECT_EQ(reference.time, 0.1);
+  joiner.start(0);
+  joiner.add(0.1, forward(), never_called);
+  joiner.add(0.2, lost(), never_called);
+  const auto joined = joiner.add(0.3, lost(), [](std::size_t index) {
     EXPECT_EQ(index, 1u);
     return forward(2);
   });
@@ -67,11 +60,11 @@ TEST(TrajectoryJoiner, BridgesALossByTheLastGoodFrame) {
 
 TEST(TrajectoryJoiner, GivesAnOldReferenceUpAndGoesOnFromTheFrameBefore) {
   TrajectoryJoiner joiner(0.5);
-  joiner.start(frame_at(0));
-  const Pose last = joiner.add(frame_at(0.1), forward(), never_called).world_from_cam;
-  const auto still_lost = [](const Observation&, std::size_t) { return lost(); };
-  for (double time = 0.2; time < 0.55; time += 0.1) joiner.add(frame_at(time), lost(), still_lost);
-  const auto joined = joiner.add(frame_at(0.8), forward(), never_called);
+  joiner.start(0);
+  const Pose last = joiner.add(0.1, forward(), never_called).world_from_cam;
+  const auto still_lost = [](std::size_t) { return lost(); };
+  for (double time = 0.2; time < 0.55; time += 0.1) joiner.add(time, lost(), still_lost);
+  const auto joined = joiner.add(0.8, forward(), never_called);
   EXPECT_EQ(joined.step.status, Status::kOk);
   EXPECT_LT((joined.world_from_cam.matrix() - (last * forward().cam2_from_cam1.inverse()).matrix()).norm(),
             1e-12);
@@ -79,9 +72,9 @@ TEST(TrajectoryJoiner, GivesAnOldReferenceUpAndGoesOnFromTheFrameBefore) {
 
 TEST(TrajectoryJoiner, KeepsRotationsOrthogonalOverLongRecordings) {
   TrajectoryJoiner joiner(1.0);
-  joiner.start(frame_at(0));
+  joiner.start(0);
   TrajectoryJoiner::Joined joined;
-  for (int i = 1; i <= 100000; ++i) joined = joiner.add(frame_at(i), forward(), never_called);
+  for (int i = 1; i <= 100000; ++i) joined = joiner.add(i, forward(), never_called);
   const Eigen::Matrix3d& R = joined.world_from_cam.R;
   EXPECT_LT((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), 1e-14);
 }

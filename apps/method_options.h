@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "framewise/odometry/options.h"
+
+namespace framewise::apps {
+
+// The one list of what `run` and `relpose` take, what they write down and what an archive remembers. An
+// option is visit(name, field, help).
+
+// Options that shape features and matches: an archive is made with them, and keeps them.
+template <typename Visit>
+void visit_correspondence_options(OdometryOptions& o, Visit&& visit) {
+  visit("detector", o.features.detector, "orb");
+  visit("descriptor", o.features.descriptor, "orb");
+  visit("features", o.features.count, "features asked for in a frame");
+  visit("matcher", o.matcher, "brute-force (exact, cross-checked)");
+  visit("subpixel", o.subpixel, "matches to fractions of a pixel: align (patches), or none");
+  visit("keypoint-sigma-px", o.keypoint_sigma_px, "noise of a feature's position at its finest scale");
+  visit("depth-border-px", o.depth.border_px, "depth this near to the image's border is not used");
+  visit("depth-max-edge", o.depth.max_edge, "depth jump that makes an edge, as a share of the depth");
+  visit("min-depth", o.depth.min_depth, "nearer points are not used (m)");
+  visit("max-depth", o.depth.max_depth, "farther points are not used (m)");
+}
+
+// Options of what is made of the matches.
+template <typename Visit>
+void visit_solver_options(OdometryOptions& o, Visit&& visit) {
+  visit("solver", o.solver,
+        "kabsch (3D-3D), or from bearings: eight-point, seven-point, nister-5pt,\n"
+        "stewenius-5pt, kneip-5pt-rotation, eigensolver");
+  visit("scale", o.scale, "length of a step from bearings: depth, truth or none");
+  visit("error", o.error, "what makes an inlier: point-to-point (kabsch), sampson (bearings)");
+  visit("refine", o.refine, "the inliers once more, weighed by their noise: covariance, or none");
+  visit("depth-noise-floor", o.depth_noise.floor, "sigma_z = floor + growth (z - 0.4 m)^2 (m)");
+  visit("depth-noise-growth", o.depth_noise.growth, "sigma_z = floor + growth (z - 0.4 m)^2 (1/m)");
+  visit("max-error-m", o.max_error_m, "largest point-to-point error of an inlier (m)");
+  visit("max-error-px", o.max_error_px, "largest epipolar error of an inlier (pixels)");
+  visit("min-inliers", o.min_inliers, "with fewer a frame is lost");
+  visit("max-bridge", o.max_bridge, "how long a good frame stays the reference after a loss (s)");
+  visit("confidence", o.ransac.confidence, "RANSAC stops at this probability");
+  visit("min-iterations", o.ransac.min_iterations, "RANSAC tries at least this many");
+  visit("max-iterations", o.ransac.max_iterations, "RANSAC stops at this many");
+  visit("threads", o.threads, "0: all cores; does not change the result");
+  visit("seed", o.seed, "of every random choice");
+}
+
+void add_method_options(CLI::App& app, OdometryOptions& options);
+
+nlohmann::ordered_json options_json(OdometryOptions options);
+
+// The options that shape correspondences, as text: what an archive keeps of them.
+std::map<std::string, std::string> correspondence_option_texts(OdometryOptions options);
+
+}  // namespace framewise::apps
