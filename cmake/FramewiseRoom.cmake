@@ -8,17 +8,24 @@
 # With FRAMEWISE_PRECOMPILED_HEADERS what most sources of a room include is read once, and a room that says FEW_UNITS
 # is compiled in units of six sources (their unnamed namespaces must not clash). Sources that are compiled for
 # several instruction sets see none of it: code for newer processors must not leak into shared inline functions.
+# What follows WITHOUT is left out of a room by an option of the build.
 include(GNUInstallDirs)
 if(FRAMEWISE_BUILD_TESTS)
   include(GoogleTest)
 endif()
 
 function(framewise_room name)
-  cmake_parse_arguments(ROOM "FEW_UNITS" "" "DEPENDS;PRIVATE_DEPENDS;TEST_DEPENDS;PRECOMPILE;SEVERAL_INSTRUCTION_SETS" ${ARGN})
+  cmake_parse_arguments(ROOM "FEW_UNITS" "" "DEPENDS;PRIVATE_DEPENDS;TEST_DEPENDS;PRECOMPILE;SEVERAL_INSTRUCTION_SETS;WITHOUT" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cc)
   file(GLOB tests CONFIGURE_DEPENDS *_test.cc)
   if(tests)
     list(REMOVE_ITEM sources ${tests})
+  endif()
+
+  list(TRANSFORM ROOM_WITHOUT PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  if(ROOM_WITHOUT)
+    list(REMOVE_ITEM sources ${ROOM_WITHOUT})
+    list(REMOVE_ITEM tests ${ROOM_WITHOUT})
   endif()
 
   set(target framewise_${name})
