@@ -17,10 +17,16 @@ namespace framewise::apps {
 // Options that shape features and matches: an archive is made with them, and keeps them.
 template <typename Visit>
 void visit_correspondence_options(OdometryOptions& o, Visit&& visit) {
-  visit("detector", o.features.detector, "orb");
-  visit("descriptor", o.features.descriptor, "orb");
+  visit("detector", o.features.detector, "sift, surf, orb or akaze");
+  visit("descriptor", o.features.descriptor, "sift, surf, surf-128, orb or akaze, with any detector");
   visit("features", o.features.count, "features asked for in a frame");
-  visit("matcher", o.matcher, "brute-force (exact, cross-checked)");
+  visit("spread", o.features.spread, "features over the image: none (the strongest), grid or anms");
+  visit("upright", o.features.upright, "descriptors are not turned into the feature's direction");
+  visit("matcher", o.matcher,
+        "brute-force (exact), flann (approximate), windowed (exact near the same pixel) or klt (tracked)");
+  visit("cross-check", o.match.cross_check, "both features must choose each other");
+  visit("ratio", o.match.max_ratio, "nearest to second nearest distance must be below; 1: any");
+  visit("window-px", o.match.window_px, "windowed: how far a feature may have moved");
   visit("subpixel", o.subpixel, "matches to fractions of a pixel: align (patches), or none");
   visit("keypoint-sigma-px", o.keypoint_sigma_px, "noise of a feature's position at its finest scale");
   visit("depth-border-px", o.depth.border_px, "depth this near to the image's border is not used");

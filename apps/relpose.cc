@@ -37,9 +37,8 @@ struct RelposeCommand {
 
 // Angles x, y, z (deg) of R = Rz(z) Ry(y) Rx(x).
 std::array<double, 3> euler_deg(const Eigen::Matrix3d& R) {
-  return {kDegrees * std::atan2(R(2, 1), R(2, 2)),
-          kDegrees * std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))),
-          kDegrees * std::atan2(R(1, 0), R(0, 0))};
+  const Eigen::Vector3d angles = kDegrees * euler_zyx(R);
+  return {angles.x(), angles.y(), angles.z()};
 }
 
 template <typename Matrix>
@@ -98,7 +97,7 @@ Observation observe_image(const RelposeCommand& command, const std::filesystem::
                           const std::filesystem::path& depth, const CameraFile& calibration) {
   const Frame frame =
       read_frame({0, image.string(), depth.string()}, calibration, command.camera.filename().string());
-  return observe(frame, calibration.camera, command.odometry.features, command.odometry.depth);
+  return observe(frame, calibration.camera, command.odometry);
 }
 
 void write_extras(const RelposeCommand& command, const Observation& view1, const Observation& view2,

@@ -72,7 +72,8 @@ Features extract_features(const cv::Mat& gray, const FeatureOptions& options, co
 
   Features features;
   features.finest_size = finest_size_of(detector);
-  const bool one_pass = spread == Spread::kNone && take_one_pass(detector, descriptor, options.upright);
+  const bool one_pass =
+      options.describe && spread == Spread::kNone && take_one_pass(detector, descriptor, options.upright);
   Detection found = detect(gray, mask,
                            {.detector = detector,
                             .count = options.count,
@@ -81,6 +82,7 @@ Features extract_features(const cv::Mat& gray, const FeatureOptions& options, co
                             .describe_too = one_pass});
   features.keypoints =
       chosen(found.keypoints, spread_out(found.keypoints, gray.size(), options.count, spread));
+  if (!options.describe) return features;
   features.descriptors = one_pass ? in_whole_words(found.descriptors)
                                   : describe(gray, features.keypoints, detector, descriptor, options.upright);
   return features;

@@ -27,6 +27,7 @@ struct FeatureOptions {
   // Descriptors are not turned into the keypoint's direction: more tell each other apart, and a roll of the
   // camera beyond some 15 degrees is no longer seen through.
   bool upright = false;
+  bool describe = true;  // false: keypoints alone, as tracking needs them; descriptors stay empty
 
   // Throws std::invalid_argument that names the value.
   void check() const;

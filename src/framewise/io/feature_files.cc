@@ -13,7 +13,7 @@ namespace framewise {
 namespace {
 
 void check_rows(const std::vector<cv::KeyPoint>& keypoints, const cv::Mat& descriptors) {
-  if (descriptors.rows != static_cast<int>(keypoints.size()))
+  if (!descriptors.empty() && descriptors.rows != static_cast<int>(keypoints.size()))
     throw std::invalid_argument(fmt::format("descriptors: found {} rows, expected {}, one a keypoint",
                                             descriptors.rows, keypoints.size()));
   if (!descriptors.empty() && descriptors.type() != CV_8U && descriptors.type() != CV_32F)
@@ -35,11 +35,13 @@ void write_features(const std::filesystem::path& file, const std::string& image_
   std::string text =
       fmt::format("# {}: x y size angle_deg response octave, {} {} of the descriptor\n", image_name,
                   descriptors.cols, descriptors.depth() == CV_8U ? "bytes" : "floats");
-  for (int i = 0; i < descriptors.rows; ++i) {
+  for (int i = 0; i < static_cast<int>(keypoints.size()); ++i) {
     const cv::KeyPoint& k = keypoints[i];
     fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {}", k.pt.x, k.pt.y, k.size, k.angle, k.response,
                    k.octave);
-    if (descriptors.depth() == CV_8U)
+    if (descriptors.empty())
+      ;  // tracked features have none
+    else if (descriptors.depth() == CV_8U)
       append_row<std::uint8_t>(text, descriptors, i);
     else
       append_row<float>(text, descriptors, i);

@@ -17,20 +17,22 @@ std::optional<Sighting> sight(const cv::Mat& depth, const cv::Point2f& point, co
   return sighting;
 }
 
-Observation observe(const Frame& frame, const Camera& camera, const FeatureOptions& feature_options,
-                    const DepthLookupOptions& depth_options) {
-  Features found = extract_features(frame.gray, feature_options);
+Observation observe(const Frame& frame, const Camera& camera, const OdometryOptions& options) {
+  FeatureOptions feature_options = options.features;
+  feature_options.describe = !options.tracks();
+  const Features found = extract_features(frame.gray, feature_options);
   Observation observation;
+  if (options.tracks()) observation.scales = tracked_image(frame.gray, options.track);
   observation.time = frame.time;
   observation.gray = frame.gray;
   observation.depth = frame.depth;
   Features& kept = observation.features;
   kept.finest_size = found.finest_size;
   for (int i = 0; i < static_cast<int>(found.keypoints.size()); ++i) {
-    const auto sighting = sight(frame.depth, found.keypoints[i].pt, camera, depth_options);
+    const auto sighting = sight(frame.depth, found.keypoints[i].pt, camera, options.depth);
     if (!sighting) continue;
     kept.keypoints.push_back(found.keypoints[i]);
-    kept.descriptors.push_back(found.descriptors.row(i));
+    if (!found.descriptors.empty()) kept.descriptors.push_back(found.descriptors.row(i));
     observation.sightings.push_back(*sighting);
   }
   return observation;

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "framewise/features/features.h"
+#include "framewise/features/tracking.h"
 #include "framewise/geometry/camera.h"
 #include "framewise/image/depth.h"
 #include "framewise/image/frame.h"
+#include "framewise/odometry/options.h"
 
 namespace framewise {
 
@@ -26,13 +28,14 @@ struct Observation {
   Features features;
   std::vector<Sighting> sightings;  // features that the lens model cannot explain are left out
   cv::Mat gray, depth;              // as in Frame; depth may be empty
+  TrackedImage scales;              // of gray; only where features are tracked (matcher klt)
 };
 
 // Empty where the lens model has no bearing for the pixel.
 std::optional<Sighting> sight(const cv::Mat& depth, const cv::Point2f& pixel, const Camera& camera,
                               const DepthLookupOptions& options);
 
-Observation observe(const Frame& frame, const Camera& camera, const FeatureOptions& features,
-                    const DepthLookupOptions& depth);
+// Looks at a frame once, for the pairs before and after it.
+Observation observe(const Frame& frame, const Camera& camera, const OdometryOptions& options);
 
 }  // namespace framewise

@@ -49,8 +49,7 @@ class ImageFront {
     const Frame frame = frames_.load(passage.index);
     const double loaded = clock_();
     passage.time = frame.time;
-    passage.current =
-        std::make_shared<Observation>(observe(frame, camera_, options_.features, options_.depth));
+    passage.current = std::make_shared<Observation>(observe(frame, camera_, options_));
     passage.seconds.load = loaded - start;
     passage.seconds.features = clock_() - loaded;
   }

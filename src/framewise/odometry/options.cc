@@ -61,7 +61,7 @@ void OdometryOptions::check() const {
   require_one_of("refine", refine, {"covariance", "none"});
   require(keypoint_sigma_px > 0, "keypoint-sigma-px", keypoint_sigma_px, "more than 0");
   depth_noise.check();
-  require_one_of("matcher", matcher, {"brute-force"});
+  require_one_of("matcher", matcher, {"brute-force", "flann", "windowed", "klt"});
   require_one_of("subpixel", subpixel, {"align", "none"});
   require(max_error_m > 0, "max-error-m", max_error_m, "more than 0");
   require(max_error_px > 0, "max-error-px", max_error_px, "more than 0");
@@ -69,6 +69,8 @@ void OdometryOptions::check() const {
   require(max_bridge >= 0, "max-bridge", max_bridge, "at least 0");
   require(threads >= 0, "threads", threads, "0 (all cores) or more");
   features.check();
+  match.check();
+  track.check();
   depth.check();
   ransac.check();
 }

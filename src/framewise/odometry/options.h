@@ -6,6 +6,8 @@
 #include <string>
 
 #include "framewise/features/features.h"
+#include "framewise/features/matching.h"
+#include "framewise/features/tracking.h"
 #include "framewise/geometry/depth_noise.h"
 #include "framewise/image/depth.h"
 #include "framewise/robust/ransac_options.h"
@@ -21,8 +23,12 @@ struct OdometryOptions {
   std::string error = "default";  // kabsch: point-to-point; bearings: sampson
   std::string scale = "depth";    // length of a step from bearings: depth, truth or none (each step 1)
   FeatureOptions features;
-  std::string matcher = "brute-force";  // exact, with cross-check
-  std::string subpixel = "align";       // positions in the second image by aligning patches; or none
+  // brute-force: exact nearest descriptors; flann: approximate ones; windowed: exact among features within
+  // match.window_px of the same pixel; klt: the first frame's features are tracked, nothing is described.
+  std::string matcher = "brute-force";
+  MatchOptions match;              // cross-check, ratio test, window; its matcher is chosen by the name above
+  TrackOptions track;              // of klt
+  std::string subpixel = "align";  // positions in the second image by aligning patches; or none
   DepthLookupOptions depth;
   RansacOptions ransac;
   std::string refine =
@@ -41,6 +47,7 @@ struct OdometryOptions {
   // Throws std::invalid_argument that names the value, what was found and what was expected.
   void check() const;
 
+  bool tracks() const { return matcher == "klt"; }
   bool uses_points() const { return solver == "kabsch"; }
   RelativePoseSolver relative_pose_solver() const;  // of a solver that uses bearings
   bool needs_depth() const { return uses_points() || scale == "depth"; }
