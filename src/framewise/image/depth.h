@@ -3,10 +3,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <optional>
 
 namespace framewise {
+
+// Whether a float is a depth: unknown is NaN, infinite or not above 0.
+inline bool is_known_depth(float depth) { return depth > 0 && std::isfinite(depth); }
 
 // Raw 16-bit depth to metres: value / factor; 0 and values beyond max_depth become NaN.
 // raw: CV_16U, height x width; the answer: CV_32F of the same size.
