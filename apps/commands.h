@@ -12,5 +12,6 @@ using Action = std::function<int()>;
 void add_run(CLI::App& program, Action& action);
 void add_evaluate(CLI::App& program, Action& action);
 void add_simulate(CLI::App& program, Action& action);
+void add_flexion(CLI::App& program, Action& action);
 
 }  // namespace framewise::apps

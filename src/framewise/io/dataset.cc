@@ -174,9 +174,10 @@ Frame load_frame(const Dataset& dataset, std::size_t index) {
   frame.gray = read_gray(files.color);
   check_size(files.color, frame.gray);
   if (!files.depth.empty()) {
-    const cv::Mat raw = read_depth16(files.depth);
+    const cv::Mat raw = read_depth_file(files.depth);
     check_size(files.depth, raw);
     frame.depth = depth_from_raw(raw, dataset.calibration.depth_factor, dataset.calibration.depth_max);
+    if (dataset.calibration.depth_type == DepthType::kRange) frame.depth = z_from_range(frame.depth, camera);
   }
   return frame;
 }
