@@ -99,8 +99,12 @@ void race(int width, int height, std::size_t rounds) {
   smoothed.distance_px = 6;
   ReliefOptions normal;
 
+  cv::Mat memory;  // as in a video: the last image's
   const auto flexion = [&](const DepthRays& rays, const FlexionOptions& options) {
-    return [&](std::size_t) { return double{flexion_image(depth, rays, options).at<float>(9, 9)}; };
+    return [&](std::size_t) {
+      memory = flexion_image(depth, rays, options, memory);
+      return double{memory.at<float>(9, 9)};
+    };
   };
   const std::vector<bench::Rival> rivals = {
       {"plain: back-projection, cross products",

@@ -37,6 +37,8 @@ struct FlexionOptions {
 // is NaN, infinite or not above 0. The answer: CV_32F in [0, 1]; NaN where it is not defined: n pixels at the
 // border, where a depth is unknown, and where a difference has no length. The pixel's own depth is not used.
 // Throws std::invalid_argument for an image that is empty or of the wrong type or size.
-cv::Mat flexion_image(const cv::Mat& depth, const DepthRays& rays, const FlexionOptions& options);
+// reuse: an image that is no longer wanted, whose memory becomes the answer's where it fits.
+cv::Mat flexion_image(const cv::Mat& depth, const DepthRays& rays, const FlexionOptions& options,
+                      cv::Mat reuse = {});
 
 }  // namespace framewise

@@ -188,6 +188,19 @@ TEST(Flexion, OfNothingIsUnknown) {
       64 * 48);
 }
 
+TEST(Flexion, ReusesMemoryThatFitsAndNeverItsInput) {
+  const DepthRays rays(pinhole_camera(), DepthType::kZ);
+  const cv::Mat depth = random_depth(64, 48, 8), expected = flexion_image(depth, rays, {});
+  cv::Mat memory(48, 64, CV_32F);
+  const cv::Mat reused = flexion_image(depth, rays, {}, memory);
+  EXPECT_EQ(reused.data, memory.data);
+  EXPECT_EQ(largest_difference(reused, expected), 0);
+  EXPECT_EQ(largest_difference(flexion_image(depth, rays, {}, cv::Mat(3, 3, CV_8U)), expected), 0);
+  const cv::Mat kept = depth.clone();
+  EXPECT_EQ(largest_difference(flexion_image(depth, rays, {}, depth), expected), 0);
+  EXPECT_TRUE(same_bytes(depth, kept));
+}
+
 TEST(Flexion, RefusesWhatIsNoDepthImageOfTheCamera) {
   const DepthRays rays(pinhole_camera(), DepthType::kZ);
   EXPECT_THROW(flexion_image({}, rays, {}), std::invalid_argument);

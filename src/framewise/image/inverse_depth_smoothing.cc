@@ -15,6 +15,11 @@ namespace {
 
 constexpr int kWidestBox = 39;
 
+std::int32_t half_of_all_weight(const std::array<int, 3>& boxes) {
+  const std::int32_t along_row = boxes[0] * boxes[1] * boxes[2];
+  return (along_row * along_row + 1) / 2;
+}
+
 }  // namespace
 
 std::array<int, 3> gaussian_boxes(double sigma_px) {
@@ -53,6 +58,7 @@ InverseDepthSmoothing::InverseDepthSmoothing(int width, double sigma_px)
     : boxes_(gaussian_boxes(sigma_px)),
       width_(width),
       reach_((boxes_[0] + boxes_[1] + boxes_[2] - 3) / 2),
+      enough_(half_of_all_weight(boxes_)),
       value_sum_(width),
       weight_sum_(width),
       centres_(reach_ + 1, std::vector<float>(width)) {
@@ -106,8 +112,8 @@ void InverseDepthSmoothing::push(const float* depth, float* smoothed_inverse) {
     weights_[i].push(i < 2 ? weights_[i + 1].next_row() : weight_sum_.data());
   }
   ++pushed_;
-  normalise(value_sum_.data(), weight_sum_.data(), centres_[pushed_ % centres_.size()].data(), width_,
-            smoothed_inverse);
+  normalise(value_sum_.data(), weight_sum_.data(), centres_[pushed_ % centres_.size()].data(), enough_,
+            width_, smoothed_inverse);
 }
 
 cv::Mat smooth_inverse_depth(const cv::Mat& depth, double sigma_px) {

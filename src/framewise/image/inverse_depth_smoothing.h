@@ -21,8 +21,9 @@ constexpr double kLeastSmoothing = 0.6, kMostSmoothing = 16;  // beyond, the wei
 //   w(x) = sum_y G(x - y) / depth(y) / sum_y G(x - y),  y the pixels with a depth.
 //   Knutsson, Westin, Normalized and differential convolution, CVPR 1993.
 // Inverse depth, because a plane's is linear in the pixels and a depth camera's noise in it is about even.
-// What is unknown stays unknown. Rows go in and come out, `latency()` rows later, so that a caller's next
-// step finds them in the cache.
+// An unknown pixel stays unknown unless half of the weight around it is known, so that specks heal and holes
+// do not. Rows go in and come out, `latency()` rows later, so that a caller's next step finds them in the
+// cache.
 class InverseDepthSmoothing {
  public:
   InverseDepthSmoothing(int width, double sigma_px);
@@ -30,8 +31,8 @@ class InverseDepthSmoothing {
   int latency() const { return reach_; }
 
   // Takes the depths of the next row (m, or any unit; not above 0, infinite or NaN: unknown), or null after
-  // the last. Writes the smoothed inverse depths of the row `latency()` rows before it, NaN where the depth
-  // is unknown.
+  // the last. Writes the smoothed inverse depths of the row `latency()` rows before it, NaN where
+  // they are unknown.
   void push(const float* depth, float* smoothed_inverse);
 
  private:
@@ -57,6 +58,7 @@ class InverseDepthSmoothing {
 
   std::array<int, 3> boxes_;
   int width_, reach_;
+  std::int32_t enough_;           // half of the weight of a neighbourhood that is known throughout
   std::vector<float> padded_[2];  // a row with what lies outside, which weighs nothing
   std::vector<std::uint16_t> padded_weight_[2];
   std::vector<float> value_sum_;

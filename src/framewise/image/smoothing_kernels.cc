@@ -123,12 +123,13 @@ void widen(const std::uint16_t* narrow, int width, std::int32_t* wide) {
 }
 
 FRAMEWISE_CHOSEN_AT_RUN_TIME
-void normalise(const float* value, const std::int32_t* weight, const float* centre, int width, float* out) {
+void normalise(const float* value, const std::int32_t* weight, const float* centre, std::int32_t enough,
+               int width, float* out) {
   constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 #pragma GCC ivdep
   for (int u = 0; u < width; ++u) {
     const float mean = value[u] / static_cast<float>(weight[u]);
-    out[u] = centre[u] > 0 ? mean : kUnknown;
+    out[u] = (centre[u] > 0) | (weight[u] >= enough) ? mean : kUnknown;
   }
 }
 

@@ -28,7 +28,8 @@ void add_row(const std::int32_t* other, int width, std::int32_t* row);
 
 void widen(const std::uint16_t* narrow, int width, std::int32_t* wide);
 
-// value / weight where the pixel itself is known (centre > 0), else NaN.
-void normalise(const float* value, const std::int32_t* weight, const float* centre, int width, float* out);
+// value / weight where the pixel itself is known (centre > 0) or the weight is at least `enough`, else NaN.
+void normalise(const float* value, const std::int32_t* weight, const float* centre, std::int32_t enough,
+               int width, float* out);
 
 }  // namespace framewise

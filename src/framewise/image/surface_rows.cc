@@ -142,11 +142,12 @@ void check_surface_options(int distance_px, double smoothing_sigma_px) {
   if (smoothing_sigma_px != 0) gaussian_boxes(smoothing_sigma_px);
 }
 
-cv::Mat measure_surface(const cv::Mat& depth, const DepthRays& rays, const SurfacePass& pass) {
+cv::Mat measure_surface(const cv::Mat& depth, const DepthRays& rays, const SurfacePass& pass, cv::Mat image) {
   check_image("depth", depth, CV_32F);
   check_image_size("depth", depth, rays.camera.width, rays.camera.height);
   const int n = pass.distance_px, width = depth.cols, height = depth.rows;
-  cv::Mat image(depth.size(), CV_32F);
+  if (image.datastart == depth.datastart) image.release();  // rows are read after others are written
+  image.create(depth.size(), CV_32F);
   if (width <= 2 * n || height <= 2 * n) return image.setTo(kUnknown);
 
   const RowMeasure measure(rays, pass);

@@ -19,8 +19,10 @@ struct SurfacePass {
   bool light_along_ray = false;     // kSphere only: the light is where the camera is
 };
 
-// CV_32F, NaN where the measure is not defined.
-cv::Mat measure_surface(const cv::Mat& depth, const DepthRays& rays, const SurfacePass& pass);
+// CV_32F, NaN where the measure is not defined; in the memory of `image` where that is of the right size and
+// type.
+cv::Mat measure_surface(const cv::Mat& depth, const DepthRays& rays, const SurfacePass& pass,
+                        cv::Mat image = {});
 
 // Throws std::invalid_argument that names the value.
 void check_surface_options(int distance_px, double smoothing_sigma_px);
