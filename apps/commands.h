@@ -13,5 +13,6 @@ void add_run(CLI::App& program, Action& action);
 void add_evaluate(CLI::App& program, Action& action);
 void add_relpose(CLI::App& program, Action& action);
 void add_simulate(CLI::App& program, Action& action);
+void add_flexion(CLI::App& program, Action& action);
 
 }  // namespace framewise::apps

@@ -13,6 +13,13 @@ find_package(fmt REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_search_module(HDF5 REQUIRED IMPORTED_TARGET GLOBAL hdf5-serial hdf5)
 
+# OpenEXR 3 calls its library OpenEXR, OpenEXR 2 (Ubuntu 22.04) calls it IlmImf.
+find_package(OpenEXR REQUIRED)
+set(FRAMEWISE_OPENEXR OpenEXR::OpenEXR)
+if(NOT TARGET OpenEXR::OpenEXR)
+  set(FRAMEWISE_OPENEXR OpenEXR::IlmImf)
+endif()
+
 # Debian 12 and Ubuntu 22.04 ship Embree 3, Ubuntu 24.04 ships Embree 4.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)

@@ -25,12 +25,13 @@ def framewise(*arguments):
 
 
 def write_png(path, width, height, bits, value, color_type=0):
-    """An image of one value: gray, or as the PNG colour type says (6: red, green, blue and alpha)."""
+    """An image of one value, or of value(u, v): gray, or as the PNG colour type says (6: red, green, blue, alpha)."""
+    at = value if callable(value) else lambda u, v: value
     channels = {0: 1, 2: 3, 6: 4}[color_type]
-    row = b"\0" + value.to_bytes(bits // 8, "big") * channels * width
+    rows = [b"\0" + b"".join(at(u, v).to_bytes(bits // 8, "big") * channels for u in range(width)) for v in range(height)]
     chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     header = struct.pack(">IIBBBBB", width, height, bits, color_type, 0, 0, 0)
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(row * height))
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"".join(rows)))
                      + chunk(b"IEND", b""))
 
 
@@ -38,12 +39,13 @@ class Recording(unittest.TestCase):
     """A small simulated recording, made once; every test changes a copy."""
 
     FRAMES = 12
+    SIZE = ()
 
     @classmethod
     def setUpClass(cls):
         cls._folder = tempfile.TemporaryDirectory()
         cls.original = pathlib.Path(cls._folder.name) / "original"
-        made = framewise("simulate", "room", "--out", cls.original, "--frames", cls.FRAMES, "--quiet")
+        made = framewise("simulate", "room", "--out", cls.original, "--frames", cls.FRAMES, *cls.SIZE, "--quiet")
         assert made.returncode == 0, made.stderr
 
     @classmethod
@@ -582,6 +584,179 @@ class Evaluate(Recording):
         self.refuses(framewise("evaluate", self.data / "groundtruth.txt", self.work / "empty.txt"), "empty.txt")
         self.refuses(framewise("evaluate", self.data / "groundtruth.txt", self.data / "groundtruth.txt", "--align", "x"))
         self.refuses(framewise("evaluate", self.data / "groundtruth.txt", self.data / "groundtruth.txt", "--delta", "0"))
+
+
+def read_png(path):
+    """Width, height, bits and the values of a gray PNG."""
+    data, place, compressed = path.read_bytes(), 8, b""
+    while place < len(data):
+        size, = struct.unpack(">I", data[place:place + 4])
+        kind, chunk = data[place + 4:place + 8], data[place + 8:place + 8 + size]
+        if kind == b"IHDR":
+            width, height, bits, color = struct.unpack(">IIBB", chunk[:10])
+            assert color == 0, "not gray"
+        elif kind == b"IDAT":
+            compressed += chunk
+        place += 12 + size
+    raw, step, values, above = zlib.decompress(compressed), bits // 8, [], bytearray(width * bits // 8)
+    for v in range(height):
+        begin = v * (width * step + 1)
+        how, row = raw[begin], bytearray(raw[begin + 1:begin + 1 + width * step])
+        for i in range(len(row)):
+            left, over = (row[i - step] if i >= step else 0), above[i]
+            corner = above[i - step] if i >= step else 0
+            paeth = min((left, over, corner), key=lambda c: abs(left + over - corner - c))
+            row[i] = (row[i] + (0, left, over, (left + over) // 2, paeth)[how]) & 255
+        values += struct.unpack(f">{width}{'H' if bits == 16 else 'B'}", row)
+        above = row
+    return width, height, bits, values
+
+
+class Flexion(Recording):
+    FRAMES = 3
+    WIDTH, HEIGHT = 160, 120
+    SIZE = ("--width", WIDTH, "--height", HEIGHT)
+
+    def flexion(self, *options, depth=None):
+        return framewise("flexion", depth or self.data / "depth", "--camera", self.data / "camera.yaml", "--out", self.out,
+                         "--quiet", *options)
+
+    def images(self):
+        return sorted(self.out.glob("*"))
+
+    def test_writes_an_image_for_every_depth_image_under_its_name(self):
+        result = self.flexion("--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        names = sorted(path.name for path in (self.data / "depth").iterdir())
+        self.assertEqual([path.name for path in self.images()], names)
+        record = json.loads(result.stdout)
+        self.assertEqual([pathlib.Path(image["output"]).name for image in record["images"]], names)
+        self.assertGreater(record["images"][0]["known"], 0.9)
+        width, height, bits, values = read_png(self.images()[0])
+        self.assertEqual((width, height, bits), (self.WIDTH, self.HEIGHT, 16))
+        self.assertEqual(set(values[:width]), {0})  # the border
+        self.assertGreater(sorted(values)[len(values) // 2], 30000)
+
+    def test_every_kind_in_every_format(self):
+        one = sorted((self.data / "depth").iterdir())[0]
+        for kind in ("flexion", "normal", "shaded", "depth"):
+            for format, extension in (("16", ".png"), ("8", ".png"), ("float", ".tiff")):
+                with self.subTest(kind=kind, format=format):
+                    result = self.flexion("--kind", kind, "--format", format, depth=one)
+                    self.assertEqual(result.returncode, 0, result.stderr)
+                    path = self.out / (one.stem + extension)
+                    self.assertTrue(path.exists())
+                    if extension == ".png":
+                        self.assertEqual(read_png(path)[2], int(format))
+                    shutil.rmtree(self.out)
+
+    def test_depth_alone_is_returned_as_it_was(self):
+        one = sorted((self.data / "depth").iterdir())[0]
+        self.assertEqual(self.flexion("--kind", "depth", depth=one).returncode, 0)
+        self.assertEqual(read_png(self.out / one.name), read_png(one))
+        # Float metres written by one run are read by another, and say the same.
+        self.assertEqual(self.flexion("--kind", "depth", "--format", "float", depth=one).returncode, 0)
+        again = self.work / "again"
+        tiff = self.out / (one.stem + ".tiff")
+        result = framewise("flexion", tiff, "--camera", self.data / "camera.yaml", "--kind", "depth", "--out", again, "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(read_png(again / one.name), read_png(one))
+
+    def test_filling_and_equalising_leave_nothing_black(self):
+        holed = self.work / "holed.png"
+        write_png(holed, self.WIDTH, self.HEIGHT, 16, lambda u, v: 5000 + 20 * u if (u // 8 + v // 8) % 3 else 0)
+        result = self.flexion("--kind", "depth", "--fill", "--clahe", "--json", depth=holed)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(json.loads(result.stdout)["images"][0]["known"], 1)
+        self.assertEqual(json.loads(result.stdout)["format"], "8")
+
+    def test_densify_says_which_pixels_were_measured(self):
+        width, height = 64, 48
+        sparse = self.work / "sparse.png"
+        write_png(sparse, width, height, 16, lambda u, v: 2000 if v % 5 == 2 and u % 2 == 0 else 0)
+        camera = self.work / "small.yaml"
+        camera.write_text(f"width: {width}\nheight: {height}\nfx: 50\nfy: 50\ncx: 32\ncy: 24\ndepth_factor: 1000\n")
+        result = framewise("flexion", sparse, "--camera", camera, "--kind", "depth", "--densify", "--masks", "--out", self.out,
+                           "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(set(read_png(self.out / "sparse.png")[3]), {2000})
+        mask = read_png(self.out / "sparse_mask.png")[3]
+        self.assertEqual([v == 255 for v in mask], [v > 0 for v in read_png(sparse)[3]])
+        self.assertEqual(set(mask), {128, 255})
+
+    def test_repeats_itself_to_the_byte_at_any_thread_count(self):
+        for options in ((), ("--smooth", "4", "--kind", "normal"), ("--densify", "--fill", "--kind", "depth", "--clahe")):
+            answers = set()
+            for threads in (1, 2, 3):
+                self.assertEqual(self.flexion("--threads", threads, *options).returncode, 0)
+                answers.add(b"".join(path.read_bytes() for path in self.images()))
+            self.assertEqual(len(answers), 1)
+
+    def test_keeps_what_was_computed_before_a_failure(self):
+        files = sorted((self.data / "depth").iterdir())
+        files[2].write_bytes(files[2].read_bytes()[:4000])
+        self.refuses(self.flexion(), files[2].name)
+        self.assertEqual([path.name for path in self.images()], [path.name for path in files[:2]])
+
+    def test_says_how_far_it_is_on_standard_error(self):
+        result = framewise("flexion", self.data / "depth", "--camera", self.data / "camera.yaml", "--out", self.out)
+        self.assertIn(f"{self.FRAMES} of {self.FRAMES}", result.stderr)
+        self.assertEqual(self.flexion().stderr, "")
+
+    def test_bad_input(self):
+        depth = sorted((self.data / "depth").iterdir())
+        self.refuses(self.flexion(depth=self.work / "nothing.png"), "nothing.png", "no file")
+        empty = self.work / "empty"
+        empty.mkdir()
+        self.refuses(self.flexion(depth=empty), "empty", "depth images")
+        color = sorted((self.data / "rgb").iterdir())[0]
+        self.refuses(self.flexion(depth=color), color.name, "16-bit")
+        small = self.work / "small.png"
+        write_png(small, 32, 24, 16, 1000)
+        self.refuses(self.flexion(depth=small), "small.png", "32 x 24", f"{self.WIDTH} x {self.HEIGHT}")
+        whole = depth[0].read_bytes()
+        for size in (0, 10, 1000, len(whole) - 20):
+            depth[0].write_bytes(whole[:size])
+            self.refuses(self.flexion(depth=depth[0]), depth[0].name)
+        self.refuses(self.flexion("--camera", self.work / "nothing.yaml"))
+        self.refuses(framewise("flexion", depth[1], "--camera", self.work / "nothing.yaml", "--out", self.out), "nothing.yaml")
+        self.refuses(framewise("flexion", depth[1], "--camera", self.data / "camera.yaml", "--out", self.data / "depth"),
+                     depth[1].name, "overwritten")
+        twin = self.work / depth[1].name
+        shutil.copy(depth[1], twin)
+        self.refuses(framewise("flexion", depth[1], twin, "--camera", self.data / "camera.yaml", "--out", self.out), twin.name)
+
+    def test_wrong_usage(self):
+        for options, word in ((("--kind", "curvature"), "kind"), (("--form", "bent"), "form"), (("--format", "12"), "format"),
+                              (("--distance", "0"), "distance"), (("--smooth", "-1"), "sigma"), (("--smooth", "99"), "sigma"),
+                              (("--clahe", "--format", "16"), "format"), (("--depth-type", "far"), "depth-type"),
+                              (("--depth-factor", "0"), "depth-factor"), (("--depth-max", "nan"), "depth-max"),
+                              (("--threads", "-1"), "threads"), (("--light", "0", "0", "0", "--kind", "shaded"), "light"),
+                              (("--masks",), "densify"), (("--densify", "--densify-reach", "0"), "reach")):
+            with self.subTest(options=options):
+                self.refuses(self.flexion(*options), word)
+
+    def test_an_image_without_depth_is_black(self):
+        nothing = self.work / "nothing.png"
+        write_png(nothing, self.WIDTH, self.HEIGHT, 16, 0)
+        for options in ((), ("--smooth", "3"), ("--fill",), ("--densify", "--kind", "depth"),
+                        ("--kind", "depth", "--fill", "--clahe"), ("--kind", "normal")):
+            with self.subTest(options=options):
+                result = self.flexion(*options, depth=nothing)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertEqual(set(read_png(self.out / "nothing.png")[3]), {0})
+
+    def test_ranges_of_an_equirectangular_scanner(self):
+        scan = self.work / "scan.png"
+        write_png(scan, 64, 32, 16, 30000)  # a sphere around the scanner
+        camera = self.work / "scanner.yaml"
+        camera.write_text("model: equirectangular\nwidth: 64\nheight: 32\ntheta_range_deg: [45, 135]\ndepth_max: 20\n")
+        result = framewise("flexion", scan, "--camera", camera, "--form", "normalised", "--out", self.out, "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        values = read_png(self.out / "scan.png")[3]
+        self.assertGreater(min(v for v in values if v > 0), 65000)
+        result = framewise("flexion", scan, "--camera", camera, "--depth-type", "z", "--out", self.out, "--quiet")
+        self.refuses(result, "depth_type", "range")
 
 
 @unittest.skipUnless((DATA / "tum_fr1_rpy_000_080").is_dir(), f"no real recordings at {DATA}")

@@ -7,14 +7,24 @@
 #include <stdexcept>
 #include <string>
 
+#include "framewise/image/image_check.h"
+
 namespace framewise {
 
 cv::Mat depth_from_raw(const cv::Mat& raw, double factor, double max_depth) {
-  CV_Assert(raw.type() == CV_16U);
   cv::Mat depth(raw.size(), CV_32F);
   const float metres = static_cast<float>(1.0 / factor);
   const float farthest = static_cast<float>(max_depth);
   const float unknown = std::numeric_limits<float>::quiet_NaN();
+  if (raw.type() == CV_32F) {
+    for (int v = 0; v < raw.rows; ++v)
+      for (int u = 0; u < raw.cols; ++u) {
+        const float z = raw.at<float>(v, u);
+        depth.at<float>(v, u) = is_known_depth(z) && z <= farthest ? z : unknown;
+      }
+    return depth;
+  }
+  check_image("raw", raw, CV_16U);
   for (int v = 0; v < raw.rows; ++v) {
     const auto* in = raw.ptr<std::uint16_t>(v);
     auto* out = depth.ptr<float>(v);
@@ -24,6 +34,17 @@ cv::Mat depth_from_raw(const cv::Mat& raw, double factor, double max_depth) {
     }
   }
   return depth;
+}
+
+cv::Mat depth_to_raw(const cv::Mat& depth, double factor) {
+  check_image("depth", depth, CV_32F);
+  cv::Mat raw(depth.size(), CV_16U);
+  for (int v = 0; v < depth.rows; ++v)
+    for (int u = 0; u < depth.cols; ++u) {
+      const double value = std::round(depth.at<float>(v, u) * factor);
+      raw.at<std::uint16_t>(v, u) = value > 0 && value <= 65535 ? static_cast<std::uint16_t>(value) : 0;
+    }
+  return raw;
 }
 
 void DepthLookupOptions::check() const {

@@ -3,14 +3,21 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <optional>
 
 namespace framewise {
 
-// Raw 16-bit depth to metres: value / factor; 0 and values beyond max_depth become NaN.
-// raw: CV_16U, height x width; the answer: CV_32F of the same size.
+// Whether a float is a depth: unknown is NaN, infinite or not above 0.
+inline bool is_known_depth(float depth) { return depth > 0 && std::isfinite(depth); }
+
+// What a depth file holds to metres. raw: CV_16U, value / factor; or CV_32F, metres already. What is not
+// above 0, not finite or beyond max_depth becomes NaN. The answer: CV_32F of the same size.
 cv::Mat depth_from_raw(const cv::Mat& raw, double factor, double max_depth);
+
+// The way back: value x factor to the nearest of 16 bits, 0 where the depth is unknown or has no such value.
+cv::Mat depth_to_raw(const cv::Mat& depth, double factor);
 
 struct DepthLookupOptions {
   // A pixel this near to the image's border has no depth: sensors smear and registration shifts there

@@ -22,6 +22,15 @@ TEST(DepthFromRaw, DividesByTheFactorAndMarksZeroAndTooFarAsUnknown) {
   EXPECT_TRUE(std::isnan(depth.at<float>(0, 3)));
 }
 
+TEST(DepthFromRaw, TakesFloatsForMetres) {
+  const float infinite = std::numeric_limits<float>::infinity();
+  const cv::Mat raw = (cv::Mat_<float>(1, 6) << 1.5f, 0, -1, kUnknown, infinite, 12);
+  const cv::Mat depth = depth_from_raw(raw, 5000, 10.0);
+  EXPECT_EQ(depth.at<float>(0, 0), 1.5f);
+  for (int u = 1; u < 6; ++u) EXPECT_TRUE(std::isnan(depth.at<float>(0, u))) << u;
+  EXPECT_THROW(depth_from_raw(cv::Mat(2, 2, CV_8U), 5000, 10), std::invalid_argument);
+}
+
 TEST(DepthAt, GivesTheDepthOfASmoothSurface) {
   EXPECT_DOUBLE_EQ(depth_at(flat_depth(), {10.3, 9.6}, {}).value(), 2.0);
 }

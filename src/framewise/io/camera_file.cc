@@ -29,6 +29,8 @@ class Fields {
       throw InputError(path, 0, "", "no map of fields", "a camera file (model, width, height, fx, …)");
   }
 
+  bool has(const std::string& name) const { return static_cast<bool>(root_[name]); }
+
   template <typename T>
   T get(const std::string& name, const char* expected) const {
     if (!root_[name]) throw InputError(path_, 0, name, "nothing", expected);
@@ -54,6 +56,18 @@ CameraModel read_model(const std::filesystem::path& path, const std::string& nam
   throw InputError(path, 0, "model", "'" + name + "'", "pinhole, fisheye or equirectangular");
 }
 
+DepthType read_depth_type(const std::filesystem::path& path, const Fields& fields, const Camera& camera,
+                          DepthType otherwise) {
+  const bool sphere = camera.model == CameraModel::kEquirectangular;
+  const char* expected = sphere ? "range for an equirectangular camera" : "z or range";
+  const auto name =
+      fields.get_or<std::string>("depth_type", name_of(sphere ? DepthType::kRange : otherwise), expected);
+  const auto type = depth_type_from_name(name);
+  if (!type || (sphere && *type == DepthType::kZ))
+    throw InputError(path, 0, "depth_type", "'" + name + "'", expected);
+  return *type;
+}
+
 CameraFile pinhole_640x480(double fx, double fy, double cx, double cy,
                            const std::array<double, 5>& distortion) {
   CameraFile file;
@@ -63,7 +77,7 @@ CameraFile pinhole_640x480(double fx, double fy, double cx, double cy,
 
 }  // namespace
 
-CameraFile read_camera_file(const std::filesystem::path& path) {
+CameraFile read_camera_file(const std::filesystem::path& path, const CameraFile& otherwise) {
   const Fields fields(path);
   CameraFile file;
   Camera& camera = file.camera;
@@ -85,8 +99,11 @@ CameraFile read_camera_file(const std::filesystem::path& path) {
                        most == 5 ? "k1, k2, p1, p2 and perhaps k3" : "k1, k2, k3, k4");
     std::copy(values.begin(), values.end(), camera.distortion.begin());
   }
-  file.depth_factor = fields.get_or<double>("depth_factor", file.depth_factor, "raw units per metre");
-  file.depth_max = fields.get_or<double>("depth_max", file.depth_max, "metres");
+  file.depth_type = read_depth_type(path, fields, camera, otherwise.depth_type);
+  file.depth_max = fields.get_or<double>("depth_max", otherwise.depth_max, "metres");
+  const bool full_scale = file.depth_type == DepthType::kRange && fields.has("depth_max");
+  file.depth_factor = fields.get_or<double>(
+      "depth_factor", full_scale ? 65535 / file.depth_max : otherwise.depth_factor, "raw units per metre");
   if (!(file.depth_factor > 0))
     throw InputError(path, 0, "depth_factor", fmt::format("{}", file.depth_factor), "more than 0");
   if (!(file.depth_max > 0))
@@ -97,6 +114,12 @@ CameraFile read_camera_file(const std::filesystem::path& path) {
     throw std::invalid_argument(path.string() + ": " + error.what());
   }
   return file;
+}
+
+std::optional<DepthType> depth_type_from_name(const std::string& name) {
+  for (const DepthType type : {DepthType::kZ, DepthType::kRange})
+    if (name == name_of(type)) return type;
+  return std::nullopt;
 }
 
 std::optional<CameraFile> tum_calibration(const std::string& name) {

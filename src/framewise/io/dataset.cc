@@ -174,9 +174,11 @@ Frame read_frame(const FrameFiles& files, const CameraFile& calibration,
   frame.gray = read_gray(files.color);
   check_size(files.color, frame.gray);
   if (!files.depth.empty()) {
-    const cv::Mat raw = read_depth16(files.depth);
+    const cv::Mat raw = read_depth_file(files.depth);
     check_size(files.depth, raw);
     frame.depth = depth_from_raw(raw, calibration.depth_factor, calibration.depth_max);
+    if (calibration.depth_type == DepthType::kRange)
+      frame.depth = z_from_range(frame.depth, calibration.camera);
   }
   return frame;
 }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "framewise/io/exr_file.h"
 #include "framewise/io/input_error.h"
 
 namespace framewise {
@@ -42,11 +43,21 @@ bool contains_near_end(const Bytes& bytes, std::string_view mark) {
                      [](auto a, char b) { return a == static_cast<unsigned char>(b); }) != bytes.end();
 }
 
+// A TIFF's directory, whose place is in its first bytes, is as a rule written last.
+bool lacks_tiff_directory(const Bytes& bytes) {
+  const bool little = starts_with(bytes, std::string_view("II*\0", 4));
+  if (!little && !starts_with(bytes, std::string_view("MM\0*", 4))) return false;
+  if (bytes.size() < 8) return true;
+  std::size_t place = 0;
+  for (int k = 0; k < 4; ++k) place = place << 8 | bytes[little ? 7 - k : 4 + k];
+  return place + 2 > bytes.size();
+}
+
 // Decoders fill what is missing with grey and report success, so the end mark is looked for first.
 bool is_cut_short(const Bytes& bytes) {
   if (starts_with(bytes, "\x89PNG")) return !contains_near_end(bytes, "IEND");
   if (starts_with(bytes, "\xff\xd8\xff")) return !contains_near_end(bytes, "\xff\xd9");
-  return false;
+  return lacks_tiff_directory(bytes);
 }
 
 cv::Mat decode(const std::filesystem::path& path, int flags) {
@@ -67,19 +78,20 @@ cv::Mat decode(const std::filesystem::path& path, int flags) {
 
 cv::Mat read_gray(const std::filesystem::path& path) { return decode(path, cv::IMREAD_GRAYSCALE); }
 
-cv::Mat read_depth16(const std::filesystem::path& path) {
+cv::Mat read_depth_file(const std::filesystem::path& path) {
+  if (is_exr_file(path)) return read_exr_depth(path);
   const cv::Mat image = decode(path, cv::IMREAD_UNCHANGED);
-  if (image.type() != CV_16UC1)
+  if (image.type() != CV_16UC1 && image.type() != CV_32FC1)
     throw InputError(path, 0, "pixel type",
                      fmt::format("{} channel(s) of {} bits", image.channels(), 8 * image.elemSize1()),
-                     "16-bit depth in one channel");
+                     "16-bit or float depth in one channel");
   return image;
 }
 
 void write_image(const std::filesystem::path& path, const cv::Mat& image) {
   bool written = false;
   try {
-    written = cv::imwrite(path.string(), image);
+    written = cv::imwrite(path.string(), image, {cv::IMWRITE_PNG_COMPRESSION, 1});
   } catch (const cv::Exception&) {  // an ending that no format has
   }
   if (!written)

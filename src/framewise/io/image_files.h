@@ -12,10 +12,12 @@ namespace framewise {
 // CV_8U. Colour files are converted to gray.
 cv::Mat read_gray(const std::filesystem::path& path);
 
-// CV_16U, as stored: the caller knows the factor.
-cv::Mat read_depth16(const std::filesystem::path& path);
+// Depth as stored. CV_16U from a 16-bit PNG or TIFF: the caller knows the factor. CV_32F from a TIFF of
+// floats or an EXR file (half or float; its channel Z, else the only or first one): metres.
+cv::Mat read_depth_file(const std::filesystem::path& path);
 
-// By the ending of its name. Throws InputError where it cannot be written.
+// PNG (8 or 16 bits), TIFF (float) or any other that OpenCV writes, by the file's ending. Throws InputError
+// where it cannot be written.
 void write_image(const std::filesystem::path& path, const cv::Mat& image);
 
 }  // namespace framewise

@@ -9,12 +9,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "framewise/image/depth.h"
+
 namespace framewise {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::ofstream open_for_writing(const fs::path& file) {
+std::ofstream open_output(const fs::path& file) {
   std::ofstream stream(file, std::ios::binary);
   if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
   return stream;
@@ -26,7 +28,7 @@ void close(std::ofstream& stream, const fs::path& file) {
 }
 
 void write_whole(const fs::path& file, const std::string& text) {
-  std::ofstream stream = open_for_writing(file);
+  std::ofstream stream = open_output(file);
   stream << text;
   close(stream, file);
 }
@@ -37,17 +39,6 @@ void write_png(const fs::path& file, const cv::Mat& image, int strategy) {
   if (!cv::imwrite(file.string(), image,
                    {cv::IMWRITE_PNG_COMPRESSION, 1, cv::IMWRITE_PNG_STRATEGY, strategy}))
     throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
-}
-
-cv::Mat to_16_bit(const cv::Mat& depth, double factor) {
-  cv::Mat coded(depth.size(), CV_16U);
-  for (int v = 0; v < depth.rows; ++v) {
-    for (int u = 0; u < depth.cols; ++u) {
-      const double value = std::round(depth.at<float>(v, u) * factor);
-      coded.at<std::uint16_t>(v, u) = value > 0 && value <= 65535 ? static_cast<std::uint16_t>(value) : 0;
-    }
-  }
-  return coded;
 }
 
 std::string camera_yaml(const Camera& camera, double depth_factor) {
@@ -102,8 +93,8 @@ TumWriter::TumWriter(const fs::path& folder, const Camera& camera, double depth_
     fs::create_directories(folder_ / name, error);
     if (error) throw std::runtime_error(fmt::format("{}: {}", (folder_ / name).string(), error.message()));
   }
-  rgb_list_ = open_for_writing(folder_ / "rgb.txt");
-  depth_list_ = open_for_writing(folder_ / "depth.txt");
+  rgb_list_ = open_output(folder_ / "rgb.txt");
+  depth_list_ = open_output(folder_ / "depth.txt");
   rgb_list_ << "# color images\n# timestamp filename\n";
   depth_list_ << "# depth maps\n# timestamp filename\n";
   write_whole(folder_ / "camera.yaml", camera_yaml(camera_, depth_factor_));
@@ -118,7 +109,7 @@ void TumWriter::add(const Frame& frame) {
   last_time_ = frame.time;
   const std::string stamp = fmt::format("{:.6f}", frame.time);
   write_png(folder_ / "rgb" / (stamp + ".png"), frame.color, cv::IMWRITE_PNG_STRATEGY_HUFFMAN_ONLY);
-  write_png(folder_ / "depth" / (stamp + ".png"), to_16_bit(frame.depth, depth_factor_),
+  write_png(folder_ / "depth" / (stamp + ".png"), depth_to_raw(frame.depth, depth_factor_),
             cv::IMWRITE_PNG_STRATEGY_DEFAULT);
   rgb_list_ << stamp << " rgb/" << stamp << ".png\n" << std::flush;
   depth_list_ << stamp << " depth/" << stamp << ".png\n" << std::flush;
