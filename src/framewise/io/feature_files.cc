@@ -23,6 +23,7 @@ void check_rows(const std::vector<cv::KeyPoint>& keypoints, const cv::Mat& descr
 
 template <typename Value>
 void append_row(std::string& text, const cv::Mat& descriptors, int row) {
+  if (descriptors.empty()) return;  // tracked features have none
   const auto* values = descriptors.ptr<Value>(row);
   for (int i = 0; i < descriptors.cols; ++i) fmt::format_to(std::back_inserter(text), " {}", values[i]);
 }
@@ -39,9 +40,7 @@ void write_features(const std::filesystem::path& file, const std::string& image_
     const cv::KeyPoint& k = keypoints[i];
     fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {}", k.pt.x, k.pt.y, k.size, k.angle, k.response,
                    k.octave);
-    if (descriptors.empty())
-      ;  // tracked features have none
-    else if (descriptors.depth() == CV_8U)
+    if (descriptors.depth() == CV_8U)
       append_row<std::uint8_t>(text, descriptors, i);
     else
       append_row<float>(text, descriptors, i);

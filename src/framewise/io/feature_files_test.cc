@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -39,8 +40,14 @@ TEST(WriteFeatures, AnImageWithoutFeaturesHasItsComment) {
   EXPECT_EQ(written({}, {}).find('\n'), written({}, {}).size() - 1);
 }
 
+TEST(WriteFeatures, KeypointsThatAreOnlyTrackedHaveLinesWithoutADescriptor) {
+  const std::string text = written({{1, 2, 3}, {4, 5, 6}}, {});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+  EXPECT_NE(text.find("\n4 5 6"), std::string::npos);
+}
+
 TEST(WriteFeatures, RefusesWhatDoesNotFitTogether) {
-  EXPECT_THROW(written({{1, 2, 3}}, {}), std::invalid_argument);
+  EXPECT_THROW(written({{1, 2, 3}, {4, 5, 6}}, cv::Mat_<float>(1, 4, 0.0f)), std::invalid_argument);
   EXPECT_THROW(written({{1, 2, 3}}, cv::Mat_<double>(1, 4, 0.0)), std::invalid_argument);
   EXPECT_THROW(write_features("/no/such/folder/a.txt", "a.png", {}, {}), InputError);
 }

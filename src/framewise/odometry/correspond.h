@@ -11,8 +11,8 @@ namespace framewise {
 
 // What two observations both saw: matches their features, places each match in frame 2 to fractions of a
 // pixel, and looks up bearing and depth there. Of the options, those that shape features and matches are
-// used; solver, scale, error, thresholds and seed are not. Everything that depends on pixels happens here:
-// estimate_step (step.h) needs no images.
+// used, and the seed where the matcher is flann; solver, scale, error and thresholds are not. Everything that
+// depends on pixels happens here: estimate_step (step.h) needs no images.
 Correspondences correspond(const Observation& frame1, const Observation& frame2, const Camera& camera,
                            const OdometryOptions& options);
 
