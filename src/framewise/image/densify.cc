@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -93,8 +92,7 @@ class Interpolation {
   }
 
   float operator()(const std::vector<Sample>& samples) const {
-    if (static_cast<int>(samples.size()) < options_.min_samples)
-      return std::numeric_limits<float>::quiet_NaN();
+    if (static_cast<int>(samples.size()) < options_.min_samples) return kUnknownDepth;
     const auto r2 = [](const Sample& s) { return s.du * s.du + s.dv * s.dv; };
     const Sample& nearest = *std::min_element(
         samples.begin(), samples.end(), [&](const Sample& a, const Sample& b) { return r2(a) < r2(b); });

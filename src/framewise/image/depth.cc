@@ -3,7 +3,6 @@
 #include "framewise/image/depth.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -15,12 +14,11 @@ cv::Mat depth_from_raw(const cv::Mat& raw, double factor, double max_depth) {
   cv::Mat depth(raw.size(), CV_32F);
   const float metres = static_cast<float>(1.0 / factor);
   const float farthest = static_cast<float>(max_depth);
-  const float unknown = std::numeric_limits<float>::quiet_NaN();
   if (raw.type() == CV_32F) {
     for (int v = 0; v < raw.rows; ++v)
       for (int u = 0; u < raw.cols; ++u) {
         const float z = raw.at<float>(v, u);
-        depth.at<float>(v, u) = is_known_depth(z) && z <= farthest ? z : unknown;
+        depth.at<float>(v, u) = is_known_depth(z) && z <= farthest ? z : kUnknownDepth;
       }
     return depth;
   }
@@ -30,7 +28,7 @@ cv::Mat depth_from_raw(const cv::Mat& raw, double factor, double max_depth) {
     auto* out = depth.ptr<float>(v);
     for (int u = 0; u < raw.cols; ++u) {
       const float z = metres * static_cast<float>(in[u]);
-      out[u] = in[u] == 0 || z > farthest ? unknown : z;
+      out[u] = in[u] == 0 || z > farthest ? kUnknownDepth : z;
     }
   }
   return depth;

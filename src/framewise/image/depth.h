@@ -4,10 +4,13 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <optional>
 
 namespace framewise {
+
+inline constexpr float kUnknownDepth = std::numeric_limits<float>::quiet_NaN();
 
 // Whether a float is a depth: unknown is NaN, infinite or not above 0.
 inline bool is_known_depth(float depth) { return depth > 0 && std::isfinite(depth); }

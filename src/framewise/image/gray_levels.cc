@@ -65,7 +65,7 @@ cv::Mat depth_to_unit(const cv::Mat& depth, const DepthRange& range) {
     for (int u = 0; u < depth.cols; ++u)
       out[u] = is_known_depth(in[u])
                    ? 1.0f / 255 + per_metre * (std::clamp(in[u], near, std::max(near, far)) - near)
-                   : std::numeric_limits<float>::quiet_NaN();
+                   : kUnknownDepth;
   }
   return unit;
 }

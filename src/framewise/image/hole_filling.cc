@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
@@ -16,8 +15,6 @@
 
 namespace framewise {
 namespace {
-
-constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
 
 // CV_8U: 0 where the depth is known, else 1.
 cv::Mat unknown_mask(const cv::Mat& depth) {
@@ -30,7 +27,7 @@ cv::Mat unknown_mask(const cv::Mat& depth) {
 cv::Mat nearest_known(const cv::Mat& depth, const cv::Mat& unknown) {
   cv::Mat distance, labels;
   cv::distanceTransform(unknown, distance, labels, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-  std::vector<float> depth_of(static_cast<std::size_t>(depth.total()) + 1, kHole);
+  std::vector<float> depth_of(static_cast<std::size_t>(depth.total()) + 1, kUnknownDepth);
   for (int v = 0; v < depth.rows; ++v)
     for (int u = 0; u < depth.cols; ++u)
       if (!unknown.at<std::uint8_t>(v, u)) depth_of[labels.at<int>(v, u)] = depth.at<float>(v, u);
@@ -100,14 +97,14 @@ cv::Mat fill_holes(const cv::Mat& depth, const FillOptions& options) {
   const int holes = cv::countNonZero(unknown);
   cv::Mat filled = depth.clone();
   if (holes == 0) return filled;
-  if (holes == static_cast<int>(depth.total())) return filled.setTo(kHole);
+  if (holes == static_cast<int>(depth.total())) return filled.setTo(kUnknownDepth);
   const cv::Mat guess =
       options.method == FillMethod::kNearest ? nearest_known(depth, unknown) : pull_push(depth, unknown);
   guess.copyTo(filled, unknown);
   if (options.max_reach_px > 0) {
     cv::Mat distance;
     cv::distanceTransform(unknown, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    filled.setTo(kHole, distance > options.max_reach_px);
+    filled.setTo(kUnknownDepth, distance > options.max_reach_px);
   }
   return filled;
 }

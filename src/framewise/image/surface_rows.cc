@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "framewise/image/depth.h"
 #include "framewise/image/image_check.h"
 #include "framewise/image/inverse_depth_smoothing.h"
 
 namespace framewise {
 namespace {
-
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 // What the loops need to know of the rays, for each kind of camera.
 class RowMeasure {
@@ -90,7 +88,10 @@ class RowMeasure {
 class DepthRowSource {
  public:
   DepthRowSource(const cv::Mat& depth, const DepthRays& rays, const SurfacePass& pass)
-      : depth_(depth), rays_(rays), unknown_(pass.unknown_at_camera ? 0.0f : kUnknown), cleaned_(depth.cols) {
+      : depth_(depth),
+        rays_(rays),
+        unknown_(pass.unknown_at_camera ? 0.0f : kUnknownDepth),
+        cleaned_(depth.cols) {
     if (pass.smoothing_sigma_px > 0) smoothing_.emplace(depth.cols, pass.smoothing_sigma_px);
   }
 
@@ -148,21 +149,21 @@ cv::Mat measure_surface(const cv::Mat& depth, const DepthRays& rays, const Surfa
   const int n = pass.distance_px, width = depth.cols, height = depth.rows;
   if (image.datastart == depth.datastart) image.release();  // rows are read after others are written
   image.create(depth.size(), CV_32F);
-  if (width <= 2 * n || height <= 2 * n) return image.setTo(kUnknown);
+  if (width <= 2 * n || height <= 2 * n) return image.setTo(kUnknownDepth);
 
   const RowMeasure measure(rays, pass);
   DepthRowSource source(depth, rays, pass);
   std::vector<std::vector<float>> ring(2 * n + 1, std::vector<float>(width));
   const auto row = [&](int v) { return ring[v % (2 * n + 1)].data(); };
   for (int v = 0; v < 2 * n; ++v) source.next(row(v));
-  image.rowRange(0, n).setTo(kUnknown);
-  image.rowRange(height - n, height).setTo(kUnknown);
+  image.rowRange(0, n).setTo(kUnknownDepth);
+  image.rowRange(height - n, height).setTo(kUnknownDepth);
   for (int v = n; v < height - n; ++v) {
     source.next(row(v + n));
     float* out = image.ptr<float>(v);
     measure({row(v - n), row(v), row(v + n), width, n, source.inverse()}, v, out);
-    std::fill_n(out, n, kUnknown);
-    std::fill_n(out + width - n, n, kUnknown);
+    std::fill_n(out, n, kUnknownDepth);
+    std::fill_n(out + width - n, n, kUnknownDepth);
   }
   return image;
 }
