@@ -76,9 +76,9 @@ double strength_of(const cv::Mat& gray, const cv::Mat& mask, int count, const Bl
 }
 
 // Contrasts go with the square root of determinants. The factor finds the count in most images or somewhat
-// more (of indoor, street and facade images: 0.0023 to 0.0042); what is too much costs little.
+// more (of indoor, street and facade images: 0.0058 to 0.012); what is too much costs little.
 Detection detect_sift(const cv::Mat& gray, const cv::Mat& mask, const DetectOptions& options) {
-  constexpr double kContrastPerStrength = 0.0025, kLowest = 0.003;
+  constexpr double kContrastPerStrength = 0.0068, kLowest = 0.006;
   const double strength = strength_of(gray, mask, options.candidates, {1.0, 1});
   const int cap = mask.empty() ? options.candidates : 0;  // OpenCV caps before it masks
   return at_falling_thresholds(
@@ -86,9 +86,9 @@ Detection detect_sift(const cv::Mat& gray, const cv::Mat& mask, const DetectOpti
       [&](double threshold) { return run(*cv::SIFT::create(cap, 3, threshold), gray, mask, options); });
 }
 
-// Of the same images the factor that finds the count is 6.7e-5 to 14e-5.
+// Of the same images the factor that finds the count is 5.4e-5 to 14e-5.
 Detection detect_akaze(const cv::Mat& gray, const cv::Mat& mask, const DetectOptions& options) {
-  constexpr double kResponsePerStrength = 8e-5, kLowest = 1e-5;
+  constexpr double kResponsePerStrength = 6.2e-5, kLowest = 1e-5;
   const double strength = strength_of(gray, mask, options.candidates, {1.5, 3});
   const auto type = options.upright ? cv::AKAZE::DESCRIPTOR_MLDB_UPRIGHT : cv::AKAZE::DESCRIPTOR_MLDB;
   return at_falling_thresholds(
@@ -99,10 +99,10 @@ Detection detect_akaze(const cv::Mat& gray, const cv::Mat& mask, const DetectOpt
 
 // FAST's default finds enough in most images, and what Harris thinks of the corners decides.
 Detection detect_orb(const cv::Mat& gray, const cv::Mat& mask, const DetectOptions& options) {
-  constexpr int kDefault = 20, kLowest = 5;
+  constexpr int kDefault = 20, kLower = 10, kLowest = 5;
   const auto orb = cv::ORB::create(options.candidates);
   Detection found;
-  for (const int threshold : {kDefault, kLowest}) {
+  for (const int threshold : {kDefault, kLower, kLowest}) {
     orb->setFastThreshold(threshold);
     found = run(*orb, gray, mask, options);
     if (static_cast<double>(found.keypoints.size()) >= kEnough * options.count) break;
