@@ -39,11 +39,11 @@ bool take_one_pass(Detector detector, Descriptor descriptor, bool upright) {
                        (detector == Detector::kSift && descriptor == Descriptor::kSift)));
 }
 
-// Keypoints to choose each feature from when they are to be spread out. ORB's strongest crowd: all are
-// wanted.
+// Keypoints to choose each feature from when they are to be spread out. ORB's strongest crowd more than
+// others do.
 int candidates_per_feature(Detector detector, Spread spread) {
   if (spread == Spread::kNone) return 1;
-  return detector == Detector::kOrb ? 40 : 4;
+  return detector == Detector::kOrb ? 15 : 4;
 }
 
 std::vector<cv::KeyPoint> chosen(const std::vector<cv::KeyPoint>& keypoints,

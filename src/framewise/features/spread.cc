@@ -10,11 +10,11 @@ namespace framewise {
 namespace {
 
 // Square cells over an image.
-struct Cells {
+struct SpreadCells {
   int width;  // pixels
   int cols, rows;
 
-  Cells(const cv::Size& image, int width)
+  SpreadCells(const cv::Size& image, int width)
       : width(width), cols((image.width - 1) / width + 1), rows((image.height - 1) / width + 1) {}
   cv::Point of(const cv::Point2f& pixel) const {
     return {std::clamp(static_cast<int>(pixel.x) / width, 0, cols - 1),
@@ -24,7 +24,7 @@ struct Cells {
 
 std::vector<int> by_cell_ranks(const std::vector<cv::KeyPoint>& keypoints, const cv::Size& image, int count) {
   const double area = static_cast<double>(image.width) * image.height;
-  const Cells cells(image, std::max(1, static_cast<int>(std::sqrt(4 * area / count))));
+  const SpreadCells cells(image, std::max(1, static_cast<int>(std::sqrt(4 * area / count))));
   std::vector<int> kept_in_cell(static_cast<std::size_t>(cells.cols) * cells.rows, 0);
   std::vector<int> rank, order(keypoints.size());
   for (const cv::KeyPoint& keypoint : keypoints) {
@@ -43,7 +43,7 @@ std::vector<int> by_cell_ranks(const std::vector<cv::KeyPoint>& keypoints, const
 std::vector<int> by_covering(const std::vector<cv::KeyPoint>& keypoints, const cv::Size& image,
                              int cell_width) {
   constexpr int kReach = 2;
-  const Cells cells(image, cell_width);
+  const SpreadCells cells(image, cell_width);
   cv::Mat covered(cells.rows, cells.cols, CV_8U, cv::Scalar(0));
   std::vector<int> kept;
   for (int i = 0; i < static_cast<int>(keypoints.size()); ++i) {
