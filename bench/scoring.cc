@@ -71,7 +71,7 @@ void race(std::size_t size) {
                     }});
 #endif
   std::printf("%zu correspondences\n", size);
-  const std::vector<double> us = lower_quartile_us(rivals, 20, 200);
+  const std::vector<double> us = lower_quartile_us(rivals, 200, 40);
   for (std::size_t k = 0; k < rivals.size(); ++k)
     std::printf("  %-40s %7.3f ns a point\n", rivals[k].name.c_str(), 1000 * us[k] / size);
 }
