@@ -323,18 +323,26 @@ Repeated repeated(const cv::Mat& gray, const Warp& warp, const FeatureOptions& o
   const cv::Matx33d to_2(warp.to_2(0, 0), warp.to_2(0, 1), warp.to_2(0, 2), warp.to_2(1, 0), warp.to_2(1, 1),
                          warp.to_2(1, 2), 0, 0, 1);
   const cv::Matx33d to_1 = to_2.inv();
-  int seen1 = 0, seen2 = 0, again = 0, right = 0, judged = 0;
-  for (const cv::KeyPoint& k1 : f1.keypoints) {
-    const cv::Point2d there = warp(k1.pt);
-    if (!inside.contains(there)) continue;
-    ++seen1;
-    again += std::any_of(f2.keypoints.begin(), f2.keypoints.end(), [&](const cv::KeyPoint& k2) {
-      return cv::norm(cv::Point2d(k2.pt) - there) <= kNear;
-    });
-  }
+  std::vector<cv::Point2d> seen1, seen2;  // in image 2, what both images show
+  for (const cv::KeyPoint& k1 : f1.keypoints)
+    if (inside.contains(warp(k1.pt))) seen1.push_back(warp(k1.pt));
   for (const cv::KeyPoint& k2 : f2.keypoints) {
     const cv::Vec3d back = to_1 * cv::Vec3d(k2.pt.x, k2.pt.y, 1);
-    seen2 += inside.contains(cv::Point2d(back[0], back[1]));
+    if (inside.contains(cv::Point2d(back[0], back[1]))) seen2.push_back(k2.pt);
+  }
+  const auto nearest = [](const cv::Point2d& p, const std::vector<cv::Point2d>& points) {
+    return std::min_element(points.begin(), points.end(),
+                            [&](const cv::Point2d& a, const cv::Point2d& b) {
+                              return cv::norm(a - p) < cv::norm(b - p);
+                            }) -
+           points.begin();
+  };
+  // Each is the other's nearest.
+  int again = 0, right = 0, judged = 0;
+  for (const cv::Point2d& p1 : seen1) {
+    if (seen2.empty()) break;
+    const cv::Point2d& p2 = seen2[nearest(p1, seen2)];
+    again += cv::norm(p1 - p2) <= kNear && seen1[nearest(p2, seen1)] == p1;
   }
   for (const FeatureMatch& match : cross_checked(f1, f2)) {
     const cv::Point2d there = warp(f1.keypoints[match.index1].pt);
@@ -342,7 +350,8 @@ Repeated repeated(const cv::Mat& gray, const Warp& warp, const FeatureOptions& o
     ++judged;
     right += cv::norm(cv::Point2d(f2.keypoints[match.index2].pt) - there) <= 3;
   }
-  return {100.0 * again / std::max(1, std::min(seen1, seen2)), 100.0 * right / std::max(1, judged)};
+  const std::size_t possible = std::max<std::size_t>(1, std::min(seen1.size(), seen2.size()));
+  return {100.0 * again / static_cast<double>(possible), 100.0 * right / std::max(1, judged)};
 }
 
 void repeatability_all(const std::vector<Views>& sets) {
