@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Detectors and descriptors: how fast beside OpenCV's own, how often right, how often the same place again.
-//   build/release/bin/bench_features [time | precision | pairs | repeatability | pose | all] [folder of
+//   build/release/bench/bench_features [time | precision | pairs | repeatability | pose | all] [folder of
 //   recordings]
 // Judged on the simulated room and, where the folder has them, on tum_fr1_rpy_000_080 and
 // 7scenes_redkitchen_000_150.
