@@ -98,7 +98,7 @@ inline Views seven_scenes_views(const std::filesystem::path& folder) {
     for (int k = 0; k < 16; ++k) file >> m(k / 4, k % 4);
     const Pose world_from_depth{m.topLeftCorner<3, 3>(), m.topRightCorner<3, 1>()};
     scenes.views.push_back({read_gray(stem + ".color.jpg"),
-                            seven_scenes_depth(read_depth16(stem + ".depth.png"), scenes.camera),
+                            seven_scenes_depth(read_depth_file(stem + ".depth.png"), scenes.camera),
                             world_from_depth * depth_from_color});
   }
 }
