@@ -11,17 +11,17 @@ namespace framewise {
 // KeyPoint::size means something else to every detector and to every descriptor. What they share is the
 // standard deviation sigma (pixels) of the Gaussian blob that a keypoint stands for:
 //
-//   detector | size is                               | sigma           | because
-//   sift     | twice the sigma of its level          | size / 2 / 0.89 | a blob of sigma 1 answers most at
-//   0.89 surf     | the side 9 s / 1.2 of its box filter  | s / 0.71        | likewise at s = 0.71 akaze    |
-//   twice the spacing of its derivatives  | size / 2        | likewise at 1, levels being far apart orb | the
-//   patch of 31 pixels of its level   | size / 15.5     | it is read after a blur of sigma 2
+//   detector  size is                                sigma            because
+//   sift      twice the sigma of its level           size / 2 / 0.89  a blob of 1 answers most at 0.89
+//   surf      the side 9 s / 1.2 of its box filter   s / 0.71         likewise at s = 0.71
+//   akaze     twice the spacing of its derivatives   size / 2         likewise at 1; levels are far apart
+//   orb       the patch of 31 pixels of its level    size / 15.5      it is read after a blur of sigma 2
 //
-//   descriptor | window       | read from                                                | finest sigma
-//   sift       | 12 size / 2  | the nearest level; octave packs octave and layer          | 1.1, image
-//   doubled surf       | 20 s         | the integral image                                        | any akaze
-//   | 20 size / 2  | level class_id of octave, whose spacing this is           | 2.4 orb        | 31 pixels
-//   | level octave of a pyramid                                 | 2
+//   descriptor  window       read from                                            finest sigma
+//   sift        12 size / 2  the nearest level; octave packs octave and layer     1.1, image doubled
+//   surf        20 s         the integral image                                   any
+//   akaze       20 size / 2  level class_id of octave, whose spacing this is      2.4
+//   orb         31 pixels    level octave of a pyramid                            2
 //
 // A keypoint finer than a descriptor's finest is described at that. Levels stop where the image would be
 // too small for them.

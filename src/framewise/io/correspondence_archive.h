@@ -17,14 +17,12 @@
 // The correspondences of a recording's frame pairs in one HDF5 file: matched once, solved many times.
 //   /           format, format_version, framewise (the version that wrote it), complete
 //   /recording  name, format, fingerprint; frames_with_depth
-//   /camera     source, model; size, intrinsics (fx fy cx cy), distortion (5), theta_range, depth_scale
-//   (factor,
-//               max)
+//   /camera     source, model; size, intrinsics (fx fy cx cy), distortion (5), theta_range,
+//               depth_scale (factor, max)
 //   /options    a text for each option that shaped features and matches, named as on the command line
 //   /frames     time (s); world_from_cam: rows of the 3 x 4 matrix [R t], the truth, NaN where unknown
 //   /pairs      frames: the two indices; end: the pair's matches end before this row of /matches and begin
-//   where
-//               those of the pair before end; has_depth
+//               where those of the pair before end; has_depth
 //   /matches    pixels1, pixels2, x1, x2, z1, z2, sigma1, sigma2, distance: as in Correspondences
 // The first four lines are attributes, the others tables (rows x columns, little-endian). All neighbours (i,
 // i + 1) are there, and the pairs that bridged a loss in the run that wrote it.
