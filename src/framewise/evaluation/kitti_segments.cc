@@ -55,10 +55,12 @@ SegmentErrors kitti_segment_errors(const TrajectoryPair& matched) {
   SegmentErrors errors;
   for (std::size_t first = 0; first < along.size(); first += every_nth)
     for (int length = 100; length <= 800; length += 100) {
-      std::size_t last = first;
-      while (last < along.size() && along[last] <= along[first] + static_cast<float>(length)) ++last;
-      if (last == along.size()) break;
-      errors.segments.push_back(segment_error(matched, first, last, length));
+      const float mark = along[first] + static_cast<float>(length);
+      const auto last =
+          std::upper_bound(along.begin() + static_cast<std::ptrdiff_t>(first), along.end(), mark);
+      if (last == along.end()) break;
+      errors.segments.push_back(
+          segment_error(matched, first, static_cast<std::size_t>(last - along.begin()), length));
     }
   const double n = static_cast<double>(errors.segments.size()), deg_per_100m = 100 * 180 / M_PI;
   for (const SegmentError& e : errors.segments) {

@@ -15,10 +15,9 @@ namespace framewise {
 //          s, rotation and translation aligned, delta 1 s from every pose, E = A B^-1.
 //   kitti  the odometry devkit: pose i with pose i, no alignment, E = B^-1 A; its segment errors stand in
 //          Evaluation::kitti.
-//   lab    frame by frame against a motion-capture truth: truth interpolated to the stamp, first pose
-//   aligned,
-//          delta 1 frame, E = B^-1 A; steps of unknown length by the directions of the translations
-//          (RelativeErrors::direction).
+//   lab    frame by frame against a motion-capture truth: truth interpolated to the stamp, first pose laid
+//          onto the truth's, delta 1 frame, E = B^-1 A; steps of unknown length by the directions of the
+//          translations (RelativeErrors::direction).
 // Throws std::invalid_argument listing the names.
 EvaluationOptions evaluation_preset(const std::string& name);
 

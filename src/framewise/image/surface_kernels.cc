@@ -5,12 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#define FRAMEWISE_CHOSEN_AT_RUN_TIME __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define FRAMEWISE_CHOSEN_AT_RUN_TIME
-#endif
-#define FRAMEWISE_INLINE inline __attribute__((always_inline))
+#include "framewise/image/chosen_at_run_time.h"
 
 namespace framewise {
 namespace {
