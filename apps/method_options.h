@@ -17,6 +17,9 @@ namespace framewise::apps {
 // Options that shape features and matches: an archive is made with them, and keeps them.
 template <typename Visit>
 void visit_correspondence_options(OdometryOptions& o, Visit&& visit) {
+  visit("input", o.input,
+        "image that features are looked for in: color, or of depth alone: depth, depth-raw,\n"
+        "flexion, flexion-published or normal");
   visit("detector", o.features.detector, "sift, surf, orb or akaze");
   visit("descriptor", o.features.descriptor, "sift, surf, surf-128, orb or akaze, with any detector");
   visit("features", o.features.count, "features asked for in a frame");
@@ -39,15 +42,21 @@ void visit_correspondence_options(OdometryOptions& o, Visit&& visit) {
 template <typename Visit>
 void visit_solver_options(OdometryOptions& o, Visit&& visit) {
   visit("solver", o.solver,
-        "kabsch (3D-3D), or from bearings: eight-point, seven-point, nister-5pt,\n"
-        "stewenius-5pt, kneip-5pt-rotation, eigensolver");
-  visit("scale", o.scale, "length of a step from bearings: depth, truth or none");
-  visit("error", o.error, "what makes an inlier: point-to-point (kabsch), sampson (bearings)");
+        "with depth: kabsch (3D-3D), p3p (3D-2D); from bearings: eight-point, seven-point, nister-5pt,\n"
+        "stewenius-5pt, kneip-5pt-rotation, eigensolver, two-point (the rotation is known)");
+  visit("scale", o.scale, "length of a step from bearings: depth, centroid, first-pair, truth or none");
+  visit("error", o.error,
+        "what makes an inlier: point-to-point (kabsch), reprojection (p3p);\n"
+        "bearings: sampson (default), reprojection or bearing-euclidean");
+  visit("ransac", o.ransac_scheme,
+        "on, two-stage (again at half the threshold, then the solver on what is left),\n"
+        "or off (one sample, nothing rejected)");
   visit("refine", o.refine, "the inliers once more, weighed by their noise: covariance, or none");
   visit("depth-noise-floor", o.depth_noise.floor, "sigma_z = floor + growth (z - 0.4 m)^2 (m)");
   visit("depth-noise-growth", o.depth_noise.growth, "sigma_z = floor + growth (z - 0.4 m)^2 (1/m)");
   visit("max-error-m", o.max_error_m, "largest point-to-point error of an inlier (m)");
-  visit("max-error-px", o.max_error_px, "largest epipolar error of an inlier (pixels)");
+  visit("max-error-px", o.max_error_px, "largest sampson or reprojection error of an inlier (pixels)");
+  visit("max-error-rad", o.max_error_rad, "largest bearing-euclidean error of an inlier (rad)");
   visit("min-inliers", o.min_inliers, "with fewer a frame is lost");
   visit("max-bridge", o.max_bridge, "how long a good frame stays the reference after a loss (s)");
   visit("confidence", o.ransac.confidence, "RANSAC stops at this probability");

@@ -84,8 +84,11 @@ void choose_method(RelposeCommand& command, const CLI::App& app) {
              given_scale = app.get_option("--scale")->count() > 0;
   if (!given_solver) options.solver = command.has_depth() ? "kabsch" : "nister-5pt";
   if (!given_scale && !command.has_depth()) options.scale = "none";
-  if (options.scale == "truth")
-    throw std::invalid_argument("scale: found 'truth', expected depth or none with two images");
+  if (options.scale == "truth" || options.scale == "first-pair")
+    throw std::invalid_argument(
+        fmt::format("scale: found '{}', expected depth, centroid or none with two images", options.scale));
+  if (options.needs_rotation())
+    throw std::invalid_argument("solver: found 'two-point', expected one that finds the rotation itself");
   if (!command.has_depth() && options.needs_depth())
     throw std::invalid_argument(
         fmt::format("solver {}, scale {}: found no depth images, expected --depth1 and --depth2",
@@ -127,7 +130,7 @@ int run(RelposeCommand& command, CLI::App& app) {
   const Observation view1 = observe_image(command, command.image1, command.depth1, calibration);
   const Observation view2 = observe_image(command, command.image2, command.depth2, calibration);
   const Correspondences shared = correspond(view1, view2, camera, options);
-  const Step step = estimate_step(shared, camera, options, options.seed, std::nullopt);
+  const Step step = estimate_step(shared, camera, options, options.seed);
 
   write_extras(command, view1, view2, shared, step);
   if (command.json)

@@ -12,6 +12,7 @@
 #include "framewise/io/input_error.h"
 #include "framewise/io/output_file.h"
 #include "framewise/io/run_files.h"
+#include "known_rotation.h"
 #include "method_options.h"
 #include "progress.h"
 #include "run_record.h"
@@ -25,6 +26,7 @@ struct RunCommand {
   std::filesystem::path path, out, config, archive, features_folder;
   DatasetOptions dataset;
   OdometryOptions odometry;
+  std::string rotation = "none";
   bool quiet = false, json = false;
 };
 
@@ -45,11 +47,27 @@ FrameLine line_of(const FrameResult& result) {
 }
 
 void check_means(const RunCommand& command, const Recording& recording) {
-  if (command.odometry.needs_depth() && recording.from.frames_with_depth == 0)
+  const OdometryOptions& method = command.odometry;
+  if ((method.needs_depth() || method.scale == "first-pair") && recording.from.frames_with_depth == 0)
     throw InputError(recording.path, 0, "depth", "no depth images",
                      "some for this method (without: --solver nister-5pt --scale none)");
+  if (method.needs_rotation() && command.rotation == "none")
+    throw std::invalid_argument(
+        "solver two-point: found no known rotation, expected --rotation truth, gyro or a file");
+  if (!method.needs_rotation() && command.rotation != "none")
+    throw std::invalid_argument(fmt::format(
+        "rotation: found '{}' with solver {}, which finds the rotation itself; expected solver two-point",
+        command.rotation, method.solver));
   if (command.odometry.scale == "truth" && !recording.has_truth())
     throw InputError(recording.path, 0, "groundtruth.txt", "no truth", "one for --scale truth");
+}
+
+PriorKnowledge knowledge(const RunCommand& command, const Recording& recording) {
+  PriorKnowledge known;
+  if (recording.has_truth()) known.truth = [&recording](std::size_t i) { return recording.truth[i]; };
+  if (command.odometry.needs_rotation())
+    known.rotation = rotation_source(command.rotation, recording, command.dataset.max_truth_gap);
+  return known;
 }
 
 using FrameSink = std::function<void(const FrameResult&)>;
@@ -64,7 +82,7 @@ std::size_t run_archive(const RunCommand& command, const Recording& recording, c
                             missing += !shared;
                             return shared;
                           },
-                          [&](std::size_t i) { return recording.truth[i]; }};
+                          knowledge(command, recording)};
   run_odometry(source, recording.from.calibration.camera, command.odometry, clock, sink);
   return missing;
 }
@@ -85,7 +103,7 @@ void run_images(const RunCommand& command, const Recording& recording, const Clo
                 const FrameSink& sink) {
   const Dataset& images = *recording.images;
   const FrameSource source{recording.size(), [&](std::size_t i) { return load_frame(images, i); },
-                           [&](std::size_t i) { return recording.truth[i]; }};
+                           knowledge(command, recording)};
   OdometryTaps taps = export_taps(command, images);
   const auto run_into = [&](const FrameSink& into) {
     run_odometry(source, recording.from.calibration.camera, command.odometry, clock, into, taps);
@@ -107,6 +125,7 @@ void run_images(const RunCommand& command, const Recording& recording, const Clo
 
 Json resolved_options(const RunCommand& command, const Recording& recording) {
   Json options = options_json(command.odometry);
+  options["rotation"] = command.rotation;
   if (!recording.images) return options;
   options["max-time-difference"] = command.dataset.max_time_difference;
   options["max-truth-gap"] = command.dataset.max_truth_gap;
@@ -150,6 +169,11 @@ int run(RunCommand& command, CLI::App& app) {
   if (tally.frames > 1 && tally.measured() <= 1)
     throw std::runtime_error(fmt::format("no motion could be measured in {} frames ({} has their statuses)",
                                          tally.frames, (command.out / "frames.csv").string()));
+  if (tally.frames > 1 && command.odometry.scale == "first-pair" && !tally.has_moved)
+    throw std::runtime_error(
+        "scale first-pair: no pair of frames had a measured translation and depth, so that no length is "
+        "known "
+        "(a camera that only turns has none)");
   return 0;
 }
 
@@ -178,6 +202,11 @@ void add_run(CLI::App& program, Action& action) {
                   "no truth is interpolated across more (s)")
       ->capture_default_str();
   add_method_options(*app, command->odometry);
+  app->add_option(
+         "--rotation", command->rotation,
+         "of solver two-point: truth, gyro (the data set's), or a file: a trajectory of the camera,\n"
+         "or a gyroscope in its axes (EuRoC's imu0/data.csv)")
+      ->capture_default_str();
   app->add_option("--config", command->config, "YAML file of these options; the command line wins");
   app->add_flag("--json", command->json, "print run.json on standard output");
   app->add_flag("--quiet", command->quiet, "print nothing but errors");

@@ -21,6 +21,7 @@ struct Tally {
   double iterations = 0, iterations_theory = 0;  // of RANSAC, over all steps
   std::size_t steps = 0;                         // with a motion
   std::size_t missing_pairs = 0;                 // asked of an archive that does not hold them
+  bool has_moved = false;                        // some step had a translation
   Trajectory trajectory;
 
   void add(const FrameResult& result) {
@@ -32,6 +33,7 @@ struct Tally {
     iterations += result.step.iterations;
     iterations_theory += result.step.iterations_theory;
     steps += result.step.iterations > 0;
+    has_moved |= is_measured(result.step.status) && result.step.cam2_from_cam1.t.norm() > 0;
     trajectory.add(result.time, result.world_from_cam);
   }
 

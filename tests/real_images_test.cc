@@ -52,8 +52,7 @@ TEST(RealImages, EveryDetectorWithEveryDescriptorAndMatcherFindsTheMotion) {
         options.matcher = matcher;
         if (options.tracks() && descriptor != "orb") continue;  // it describes nothing
         const Observation view1 = observe(frame1, camera, options), view2 = observe(frame2, camera, options);
-        const Step step =
-            estimate_step(correspond(view1, view2, camera, options), camera, options, 0, std::nullopt);
+        const Step step = estimate_step(correspond(view1, view2, camera, options), camera, options, 0);
         ASSERT_EQ(step.status, Status::kOk);
         EXPECT_LT(rotation_angle(step.cam2_from_cam1.R.transpose() * cam2_from_cam1.R),
                   1 * kDegree);  // the truth itself is uncertain by 0.4
@@ -101,8 +100,8 @@ TEST(RealImages, SiftFindsTheMotionBetweenNeighbouringSurveyedViews) {
     SCOPED_TRACE(i);
     const SurveyedView view2 = read_view(folder, i);
     const Observation seen2 = observe(view2.frame, view2.camera, options);
-    const Step step = estimate_step(correspond(seen1, seen2, view2.camera, options), view2.camera, options, 0,
-                                    std::nullopt);
+    const Step step =
+        estimate_step(correspond(seen1, seen2, view2.camera, options), view2.camera, options, 0);
     const Pose truth = view2.world_from_cam.inverse() * view1.world_from_cam;
     ASSERT_EQ(step.status, Status::kOk);
     EXPECT_LT(rotation_angle(step.cam2_from_cam1.R.transpose() * truth.R), 0.5 * kDegree);

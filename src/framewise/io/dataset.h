@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "framewise/geometry/gyroscope.h"
 #include "framewise/geometry/trajectory.h"
 #include "framewise/image/frame.h"
 #include "framewise/io/camera_file.h"
@@ -39,6 +40,7 @@ struct Dataset {
   std::string calibration_source;  // the file, or the name the calibration is known by
   std::vector<FrameFiles> frames;  // in time order
   std::size_t frames_with_depth = 0;
+  Gyroscope gyroscope;      // empty where there is none
   Trajectory truth;         // as recorded; empty where there is none
   std::string fingerprint;  // of the lists and the files' sizes, 16 hexadecimal digits
 };

@@ -17,15 +17,17 @@ std::optional<Sighting> sight(const cv::Mat& depth, const cv::Point2f& point, co
   return sighting;
 }
 
-Observation observe(const Frame& frame, const Camera& camera, const OdometryOptions& options) {
+Observation observe(const Frame& frame, const InputImage& input, const Camera& camera,
+                    const OdometryOptions& options) {
+  Observation observation;
+  observation.time = frame.time;
+  observation.gray = input.of(frame);
+  observation.depth = frame.depth;
+  if (observation.gray.empty()) return observation;
   FeatureOptions feature_options = options.features;
   feature_options.describe = !options.tracks();
-  const Features found = extract_features(frame.gray, feature_options);
-  Observation observation;
-  if (options.tracks()) observation.scales = tracked_image(frame.gray, options.track);
-  observation.time = frame.time;
-  observation.gray = frame.gray;
-  observation.depth = frame.depth;
+  const Features found = extract_features(observation.gray, feature_options);
+  if (options.tracks()) observation.scales = tracked_image(observation.gray, options.track);
   Features& kept = observation.features;
   kept.finest_size = found.finest_size;
   for (int i = 0; i < static_cast<int>(found.keypoints.size()); ++i) {
@@ -36,6 +38,10 @@ Observation observe(const Frame& frame, const Camera& camera, const OdometryOpti
     observation.sightings.push_back(*sighting);
   }
   return observation;
+}
+
+Observation observe(const Frame& frame, const Camera& camera, const OdometryOptions& options) {
+  return observe(frame, InputImage(options.input, camera, options.depth.max_depth), camera, options);
 }
 
 }  // namespace framewise

@@ -11,6 +11,7 @@
 #include "framewise/geometry/camera.h"
 #include "framewise/image/depth.h"
 #include "framewise/image/frame.h"
+#include "framewise/odometry/input_image.h"
 #include "framewise/odometry/options.h"
 
 namespace framewise {
@@ -27,7 +28,8 @@ struct Observation {
   double time = 0;  // s
   Features features;
   std::vector<Sighting> sightings;  // features that the lens model cannot explain are left out
-  cv::Mat gray, depth;              // as in Frame; depth may be empty
+  cv::Mat gray;                     // that the features were found in
+  cv::Mat depth;                    // as in Frame; may be empty
   TrackedImage scales;              // of gray; only where features are tracked (matcher klt)
 };
 
@@ -35,7 +37,11 @@ struct Observation {
 std::optional<Sighting> sight(const cv::Mat& depth, const cv::Point2f& pixel, const Camera& camera,
                               const DepthLookupOptions& options);
 
-// Looks at a frame once, for the pairs before and after it.
+// Looks at a frame once, for the pairs before and after it. Without the image that `input` takes, nothing is
+// seen.
+Observation observe(const Frame& frame, const InputImage& input, const Camera& camera,
+                    const OdometryOptions& options);
+// The same for one frame alone: input is made for it.
 Observation observe(const Frame& frame, const Camera& camera, const OdometryOptions& options);
 
 }  // namespace framewise

@@ -7,8 +7,10 @@
 
 #include <exception>
 #include <memory>
+#include <stdexcept>
 
 #include "framewise/odometry/correspond.h"
+#include "framewise/odometry/first_pair_scale.h"
 #include "framewise/odometry/trajectory_joiner.h"
 
 namespace framewise {
@@ -42,14 +44,19 @@ class ImageFront {
  public:
   ImageFront(const FrameSource& frames, const Camera& camera, const OdometryOptions& options,
              const Clock& clock, const OdometryTaps& taps)
-      : frames_(frames), camera_(camera), options_(options), clock_(clock), taps_(taps) {}
+      : frames_(frames),
+        camera_(camera),
+        options_(options),
+        clock_(clock),
+        taps_(taps),
+        input_(std::make_shared<InputImage>(options.input, camera, options.depth.max_depth)) {}
 
   void open(Passage& passage) const {
     const double start = clock_();
     const Frame frame = frames_.load(passage.index);
     const double loaded = clock_();
     passage.time = frame.time;
-    passage.current = std::make_shared<Observation>(observe(frame, camera_, options_));
+    passage.current = std::make_shared<Observation>(observe(frame, *input_, camera_, options_));
     passage.seconds.load = loaded - start;
     passage.seconds.features = clock_() - loaded;
   }
@@ -84,6 +91,7 @@ class ImageFront {
   const OdometryOptions& options_;
   const Clock& clock_;
   const OdometryTaps& taps_;
+  std::shared_ptr<const InputImage> input_;
   SharedObservation newest_, reference_;
 };
 
@@ -116,13 +124,11 @@ class PairFront {
 template <typename Front>
 class Odometer {
  public:
-  using Truth = std::function<std::optional<Pose>(std::size_t)>;
-
-  Odometer(Front front, std::size_t size, const Truth& truth, const Camera& camera,
+  Odometer(Front front, std::size_t size, const PriorKnowledge& known, const Camera& camera,
            const OdometryOptions& options, const Clock& clock)
       : front_(std::move(front)),
         size_(size),
-        truth_(truth),
+        known_(known),
         camera_(camera),
         options_(options),
         clock_(clock),
@@ -157,32 +163,47 @@ class Odometer {
     front_.before_joining(passage);
     const auto to_reference = [&](std::size_t reference_index) {
       const auto shared = front_.with_reference(passage, reference_index);
-      return shared ? solve(*shared, reference_index, passage.index) : Step();
+      return shared ? metric(solve(*shared, reference_index, passage.index)) : Step();
     };
     const auto joined = passage.index == 0 ? joiner_.start(passage.time)
-                                           : joiner_.add(passage.time, passage.step, to_reference);
+                                           : joiner_.add(passage.time, metric(passage.step), to_reference);
     if (joiner_.reference_index() == passage.index) front_.refer_to(passage);
     return {passage.index, passage.time, joined.step, joined.world_from_cam, passage.seconds};
   }
 
  private:
   Step solve(const Correspondences& shared, std::size_t index1, std::size_t index2) const {
-    std::optional<double> true_length;
+    StepKnowledge known;
     if (options_.scale == "truth") {
-      const auto world_from_cam1 = truth_(index1), world_from_cam2 = truth_(index2);
-      if (world_from_cam1 && world_from_cam2) true_length = (world_from_cam2->t - world_from_cam1->t).norm();
+      const auto world_from_cam1 = known_.truth(index1), world_from_cam2 = known_.truth(index2);
+      if (world_from_cam1 && world_from_cam2)
+        known.true_length = (world_from_cam2->t - world_from_cam1->t).norm();
     }
-    return estimate_step(shared, camera_, options_, pair_seed(options_.seed, index1, index2), true_length);
+    if (options_.needs_rotation()) known.rotation = known_.rotation(index1, index2);
+    return estimate_step(shared, camera_, options_, pair_seed(options_.seed, index1, index2), known);
+  }
+
+  // Steps come here in the order of the frames.
+  Step metric(const Step& step) {
+    return options_.scale == "first-pair" ? first_pair_scale_.apply(step) : step;
   }
 
   Front front_;
   std::size_t size_, next_ = 0;
-  const Truth& truth_;
+  const PriorKnowledge& known_;
   const Camera& camera_;
   const OdometryOptions& options_;
   const Clock& clock_;
   TrajectoryJoiner joiner_;
+  FirstPairScale first_pair_scale_;
 };
+
+void check_known(const PriorKnowledge& known, const OdometryOptions& options) {
+  if (options.scale == "truth" && !known.truth)
+    throw std::invalid_argument("scale: found 'truth' and no truth, expected true poses to take it from");
+  if (options.needs_rotation() && !known.rotation)
+    throw std::invalid_argument("solver: found 'two-point' and no rotation, expected a source of rotations");
+}
 
 template <typename Front>
 void run(Odometer<Front>& odometer, int threads, const std::function<void(const FrameResult&)>& sink) {
@@ -212,8 +233,9 @@ void run_odometry(const FrameSource& frames, const Camera& camera, const Odometr
                   const Clock& clock, const std::function<void(const FrameResult&)>& sink,
                   const OdometryTaps& taps) {
   options.check();
+  check_known(frames.known, options);
   camera.check();
-  Odometer odometer(ImageFront(frames, camera, options, clock, taps), frames.size, frames.truth, camera,
+  Odometer odometer(ImageFront(frames, camera, options, clock, taps), frames.size, frames.known, camera,
                     options, clock);
   run(odometer, options.threads, sink);
 }
@@ -221,8 +243,9 @@ void run_odometry(const FrameSource& frames, const Camera& camera, const Odometr
 void run_odometry(const PairSource& pairs, const Camera& camera, const OdometryOptions& options,
                   const Clock& clock, const std::function<void(const FrameResult&)>& sink) {
   options.check();
+  check_known(pairs.known, options);
   camera.check();
-  Odometer odometer(PairFront(pairs, clock), pairs.size, pairs.truth, camera, options, clock);
+  Odometer odometer(PairFront(pairs, clock), pairs.size, pairs.known, camera, options, clock);
   run(odometer, options.threads, sink);
 }
 

@@ -10,21 +10,28 @@
 
 namespace framewise {
 
-// Where frames come from. load(i) may be called from any thread, once for each i; truth(i) likewise.
+// What is known of a recording besides its images. All may be called from any thread.
+struct PriorKnowledge {
+  std::function<std::optional<Pose>(std::size_t)> truth;  // world_from_cam; only asked for scale "truth"
+  // cam2_from_cam1 of two frames; only asked for solver "two-point".
+  std::function<std::optional<Eigen::Matrix3d>(std::size_t index1, std::size_t index2)> rotation;
+};
+
+// Where frames come from. load(i) may be called from any thread, once for each i.
 struct FrameSource {
   std::size_t size = 0;
   std::function<Frame(std::size_t)> load;
-  std::function<std::optional<Pose>(std::size_t)> truth;  // world_from_cam; only asked for scale "truth"
+  PriorKnowledge known;
 };
 
 // Where correspondences come from that were found before. pair(i, j), i < j, may be called from any thread;
 // it is asked for all neighbours and, after a loss, for the frames back to the last good one. Where it knows
-// nothing of a pair, the later frame is lost. time (s) and truth as in FrameSource.
+// nothing of a pair, the later frame is lost. time: s.
 struct PairSource {
   std::size_t size = 0;  // frames
   std::function<double(std::size_t)> time;
   std::function<std::optional<Correspondences>(std::size_t index1, std::size_t index2)> pair;
-  std::function<std::optional<Pose>(std::size_t)> truth;
+  PriorKnowledge known;
 };
 
 struct StageSeconds {
@@ -53,7 +60,8 @@ struct OdometryTaps {
 
 // Runs over all frames in order and hands every one of them to `sink`, in order. Frames are loaded, described
 // and related on options.threads threads; neither that number nor their timing changes the result. What load
-// or sink throws comes out after all earlier frames have been handed over.
+// or sink throws comes out after all earlier frames have been handed over. Throws std::invalid_argument where
+// the options ask for knowledge that is not there.
 void run_odometry(const FrameSource& frames, const Camera& camera, const OdometryOptions& options,
                   const Clock& clock, const std::function<void(const FrameResult&)>& sink,
                   const OdometryTaps& taps = {});

@@ -13,6 +13,8 @@
 namespace framewise {
 namespace {
 
+const OdometryOptions kDefault;
+
 // A camera that slides along a wall with a random pattern, 2 m away; the wall's depth is exact.
 class Wall {
  public:
@@ -36,7 +38,7 @@ class Wall {
   }
 
   FrameSource source(std::size_t size) const {
-    return {size, [this](std::size_t i) { return frame(i); }, nullptr};
+    return {size, [this](std::size_t i) { return frame(i); }, {}};
   }
 
  private:
@@ -53,7 +55,7 @@ std::vector<FrameResult> run(const FrameSource& source, const Camera& camera,
 
 TEST(RunOdometry, MeasuresAKnownMotionInMetres) {
   const Wall wall;
-  const auto results = run(wall.source(10), wall.camera(), {});
+  const auto results = run(wall.source(10), wall.camera(), kDefault);
   ASSERT_EQ(results.size(), 10u);
   for (const FrameResult& result : results) {
     EXPECT_EQ(result.step.status, Status::kOk);
@@ -83,7 +85,7 @@ TEST(RunOdometry, AStandingCameraStands) {
   const Wall wall;
   FrameSource source = wall.source(5);
   source.load = [&](std::size_t) { return wall.frame(3); };
-  for (const FrameResult& result : run(source, wall.camera(), {}))
+  for (const FrameResult& result : run(source, wall.camera(), kDefault))
     EXPECT_LT(result.world_from_cam.t.norm(), 1e-12);
 }
 
@@ -96,7 +98,7 @@ TEST(RunOdometry, HandsOverWhatCameBeforeAFailure) {
   };
   std::vector<std::size_t> seen;
   EXPECT_THROW(run_odometry(
-                   source, wall.camera(), {}, [] { return 0.0; },
+                   source, wall.camera(), kDefault, [] { return 0.0; },
                    [&](const FrameResult& result) { seen.push_back(result.index); }),
                std::runtime_error);
   ASSERT_EQ(seen.size(), 11u);
@@ -112,7 +114,7 @@ TEST(RunOdometry, SaysNoDepthWhereThereIsNone) {
     if (i == 3) frame.depth = std::numeric_limits<float>::quiet_NaN();
     return frame;
   };
-  const auto results = run(source, wall.camera(), {});
+  const auto results = run(source, wall.camera(), kDefault);
   EXPECT_EQ(results[1].step.status, Status::kOk);
   EXPECT_EQ(results[2].step.status, Status::kNoDepth);
   EXPECT_EQ(results[3].step.status, Status::kNoDepth);
@@ -144,7 +146,7 @@ Replay replay(const FrameSource& source, const Camera& camera, OdometryOptions o
                              return std::nullopt;
                            return found->second;
                          },
-                         source.truth};
+                         source.known};
   options.threads = 1;
   run_odometry(pairs, camera, options, clock, [&](const FrameResult& r) { run.replayed.push_back(r); });
   return run;
@@ -191,7 +193,7 @@ TEST(RunOdometry, HandsOverNeighboursAndBridgesInTheFramesOrder) {
 
 TEST(RunOdometry, AFrameIsLostWhereItsBridgeIsNotKnown) {
   const Wall wall;
-  const Replay run = replay(with_a_loss(wall), wall.camera(), {}, true);
+  const Replay run = replay(with_a_loss(wall), wall.camera(), kDefault, true);
   EXPECT_EQ(run.direct[6].step.status, Status::kOk);
   EXPECT_EQ(run.replayed[6].step.status, Status::kLost);
   EXPECT_EQ(run.replayed[6].world_from_cam.matrix(), run.replayed[3].world_from_cam.matrix());
@@ -207,14 +209,33 @@ TEST(RunOdometry, HandsOverEveryFramesFeaturesInOrder) {
     EXPECT_GT(features.descriptors.rows, 100);
   };
   run_odometry(
-      wall.source(5), wall.camera(), {}, [] { return 0.0; },
+      wall.source(5), wall.camera(), kDefault, [] { return 0.0; },
       [&](const FrameResult& result) { EXPECT_EQ(seen.back(), result.index); }, taps);
   EXPECT_EQ(seen, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
 }
 
+TEST(RunOdometry, TwoPointGoesWithTheRotationsItIsGiven) {
+  const Wall wall;
+  OdometryOptions options;
+  options.solver = "two-point";
+  options.scale = "centroid";
+  FrameSource source = wall.source(6);
+  EXPECT_THROW(run(source, wall.camera(), options), std::invalid_argument);
+  source.known.rotation = [](std::size_t, std::size_t j) -> std::optional<Eigen::Matrix3d> {
+    if (j == 5) return std::nullopt;  // the source ends
+    return Eigen::Matrix3d::Identity();
+  };
+  const auto results = run(source, wall.camera(), options);
+  for (std::size_t i = 1; i < 5; ++i) {
+    EXPECT_EQ(results[i].step.status, Status::kOk);
+    EXPECT_EQ(results[i].world_from_cam.R, Eigen::Matrix3d::Identity());
+  }
+  EXPECT_EQ(results[5].step.status, Status::kLost);
+}
+
 TEST(RunOdometry, NoFramesGiveNoResults) {
   const Wall wall;
-  EXPECT_TRUE(run(wall.source(0), wall.camera(), {}).empty());
+  EXPECT_TRUE(run(wall.source(0), wall.camera(), kDefault).empty());
 }
 
 TEST(OdometryOptions, NameTheBadValue) {
@@ -225,10 +246,10 @@ TEST(OdometryOptions, NameTheBadValue) {
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(),
-                 "solver: found 'magic', expected one of kabsch, eight-point, seven-point, nister-5pt, "
-                 "stewenius-5pt, kneip-5pt-rotation, eigensolver");
+                 "solver: found 'magic', expected one of kabsch, p3p, eight-point, seven-point, nister-5pt, "
+                 "stewenius-5pt, kneip-5pt-rotation, eigensolver, two-point");
   }
-  options = {};
+  options = kDefault;
   options.scale = "none";
   EXPECT_THROW(options.check(), std::invalid_argument);
 }

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "framewise/odometry/input_image.h"
+
 namespace framewise {
 namespace {
 
@@ -16,7 +18,8 @@ constexpr std::pair<const char*, RelativePoseSolver> kBearingSolvers[] = {
     {"nister-5pt", RelativePoseSolver::kNister5pt},
     {"stewenius-5pt", RelativePoseSolver::kStewenius5pt},
     {"kneip-5pt-rotation", RelativePoseSolver::kKneip5ptRotation},
-    {"eigensolver", RelativePoseSolver::kEigensolver}};
+    {"eigensolver", RelativePoseSolver::kEigensolver},
+    {"two-point", RelativePoseSolver::kTwoPoint}};
 
 template <typename Names>
 void require_one_of(const char* option, const std::string& found, const Names& known) {
@@ -46,25 +49,43 @@ RelativePoseSolver OdometryOptions::relative_pose_solver() const {
   throw std::invalid_argument("solver: found '" + solver + "', expected one that uses bearings");
 }
 
-void OdometryOptions::check() const {
-  std::vector<const char*> solvers{"kabsch"};
+InlierMeasure OdometryOptions::inlier_measure() const {
+  if (error == "reprojection") return InlierMeasure::kReprojection;
+  if (error == "bearing-euclidean") return InlierMeasure::kBearingEuclidean;
+  return InlierMeasure::kSampson;
+}
+
+void OdometryOptions::check_method() const {
+  std::vector<const char*> solvers{"kabsch", "p3p"};
   for (const auto& [name, relative_pose_solver] : kBearingSolvers) solvers.push_back(name);
   require_one_of("solver", solver, solvers);
-  if (uses_points())
+  if (solver == "kabsch")
     require_one_of("error (with solver kabsch)", error, {"default", "point-to-point"});
+  else if (solver == "p3p")
+    require_one_of("error (with solver p3p)", error, {"default", "reprojection"});
+  else if (solver == "two-point")
+    require_one_of("error (with solver two-point)", error, {"default", "sampson"});
   else
-    require_one_of("error (with a solver that uses bearings)", error, {"default", "sampson"});
-  if (uses_points())
-    require_one_of("scale (with solver kabsch, which is metric)", scale, {"depth"});
+    require_one_of("error (with a solver that uses bearings)", error,
+                   {"default", "sampson", "reprojection", "bearing-euclidean"});
+  if (is_metric())
+    require_one_of("scale (with a solver that uses depth)", scale, {"depth"});
   else
-    require_one_of("scale", scale, {"depth", "truth", "none"});
+    require_one_of("scale", scale, {"depth", "centroid", "first-pair", "truth", "none"});
+  require_one_of("ransac", ransac_scheme, {"on", "two-stage", "off"});
   require_one_of("refine", refine, {"covariance", "none"});
+}
+
+void OdometryOptions::check() const {
+  check_method();
+  InputImage::check(input);
   require(keypoint_sigma_px > 0, "keypoint-sigma-px", keypoint_sigma_px, "more than 0");
   depth_noise.check();
   require_one_of("matcher", matcher, {"brute-force", "flann", "windowed", "klt"});
   require_one_of("subpixel", subpixel, {"align", "none"});
   require(max_error_m > 0, "max-error-m", max_error_m, "more than 0");
   require(max_error_px > 0, "max-error-px", max_error_px, "more than 0");
+  require(max_error_rad > 0, "max-error-rad", max_error_rad, "more than 0");
   require(min_inliers >= 8, "min-inliers", min_inliers, "at least 8");
   require(max_bridge >= 0, "max-bridge", max_bridge, "at least 0");
   require(threads >= 0, "threads", threads, "0 (all cores) or more");

@@ -17,11 +17,18 @@ namespace framewise {
 
 // How `framewise run` turns frames into a trajectory. The names are those of the command line.
 struct OdometryOptions {
-  // kabsch (3D-3D, metric), or from bearings alone: eight-point, seven-point, nister-5pt, stewenius-5pt,
-  // kneip-5pt-rotation, eigensolver.
+  // With depth, metric: kabsch (3D-3D), p3p (3D-2D). From bearings alone: eight-point, seven-point,
+  // nister-5pt, stewenius-5pt, kneip-5pt-rotation, eigensolver, and two-point, which is given the rotation.
   std::string solver = "kabsch";
-  std::string error = "default";  // kabsch: point-to-point; bearings: sampson
-  std::string scale = "depth";    // length of a step from bearings: depth, truth or none (each step 1)
+  // What makes an inlier. kabsch: point-to-point; p3p: reprojection; bearings: sampson, reprojection or
+  // bearing-euclidean (two-point: sampson). default: the first of these.
+  std::string error = "default";
+  // Length of a step from bearings: depth, centroid, first-pair, truth or none (scale.h).
+  std::string scale = "depth";
+  // on; two-stage: twice, the second time at half the threshold, then the solver itself on what is left
+  // (two_stage.h); off: one sample, no correspondence rejected (single_sample.h).
+  std::string ransac_scheme = "on";
+  std::string input = "color";  // the image that features are looked for in (input_image.h)
   FeatureOptions features;
   // brute-force: exact nearest descriptors; flann: approximate ones; windowed: exact among features within
   // match.window_px of the same pixel; klt: the first frame's features are tracked, nothing is described.
@@ -31,26 +38,33 @@ struct OdometryOptions {
   std::string subpixel = "align";  // positions in the second image by aligning patches; or none
   DepthLookupOptions depth;
   RansacOptions ransac;
-  std::string refine =
-      "covariance";  // kabsch: after RANSAC the inliers again, each weighed by its noise; or none
+  std::string refine = "covariance";  // after RANSAC the inliers again, each weighed by its noise; or none
   // Noise of a feature of the finest scale; coarser ones in proportion (pixels). What patches leave of it in
   // clean images is a tenth, in real ones with blur, noise and a rolling shutter it is this.
   double keypoint_sigma_px = 0.25;
   DepthNoise depth_noise;     // of the depth camera
   double max_error_m = 0.08;  // kabsch: two points farther apart than this disagree (m)
-  double max_error_px = 1.5;  // bearings: likewise for the distance to the epipolar line (pixels)
-  int min_inliers = 12;       // fewer agree by chance; the frame is lost
-  double max_bridge = 1.0;    // how long the last good frame is kept as reference after a loss (s)
-  int threads = 0;            // 0: all cores. The result does not depend on it
+  double max_error_px = 1.5;  // sampson and reprojection: likewise (pixels)
+  // bearing-euclidean: likewise for |x2 - R x1|, which holds the parallax as well, so far wider (rad).
+  double max_error_rad = 0.03;
+  int min_inliers = 12;     // fewer agree by chance; the frame is lost
+  double max_bridge = 1.0;  // how long the last good frame is kept as reference after a loss (s)
+  int threads = 0;          // 0: all cores. The result does not depend on it
   std::uint64_t seed = 0;
 
   // Throws std::invalid_argument that names the value, what was found and what was expected.
   void check() const;
 
   bool tracks() const { return matcher == "klt"; }
-  bool uses_points() const { return solver == "kabsch"; }
+  bool is_metric() const { return solver == "kabsch" || solver == "p3p"; }
+  bool needs_rotation() const { return solver == "two-point"; }
   RelativePoseSolver relative_pose_solver() const;  // of a solver that uses bearings
-  bool needs_depth() const { return uses_points() || scale == "depth"; }
+  InlierMeasure inlier_measure() const;             // likewise
+  // Whether a frame without depth has no step; scale first-pair only needs one pair with depth.
+  bool needs_depth() const { return is_metric() || scale == "depth" || scale == "centroid"; }
+
+ private:
+  void check_method() const;
 };
 
 }  // namespace framewise

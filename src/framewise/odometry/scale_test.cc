@@ -44,5 +44,25 @@ TEST(LengthFromDepth, NeedsFivePoints) {
   EXPECT_TRUE(Points(0.5, 5).length());
 }
 
+TEST(TranslationFromCentroids, IsExactWithoutNoiseAndNeedsNoDirection) {
+  const Points points(0.5);
+  const auto t = translation_from_centroids(points.cam2_from_cam1.R, points.X1, points.X2, points.inliers);
+  EXPECT_LT((t.value() - 0.5 * points.cam2_from_cam1.t).norm(), 1e-13);
+}
+
+TEST(TranslationFromCentroids, LeavesOutWhatIsUnknownAndWhatDisagrees) {
+  Points points(0.5);
+  for (int i = 0; i < 4; ++i) points.X1[i].setConstant(std::numeric_limits<double>::quiet_NaN());
+  for (int i = 4; i < 8; ++i) points.X2[i] *= 5, points.inliers[i] = 0;
+  const auto t = translation_from_centroids(points.cam2_from_cam1.R, points.X1, points.X2, points.inliers);
+  EXPECT_LT((t.value() - 0.5 * points.cam2_from_cam1.t).norm(), 1e-13);
+}
+
+TEST(TranslationFromCentroids, NeedsFivePoints) {
+  const Points four(0.5, 4), five(0.5, 5);
+  EXPECT_FALSE(translation_from_centroids(four.cam2_from_cam1.R, four.X1, four.X2, four.inliers));
+  EXPECT_TRUE(translation_from_centroids(five.cam2_from_cam1.R, five.X1, five.X2, five.inliers));
+}
+
 }  // namespace
 }  // namespace framewise

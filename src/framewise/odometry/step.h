@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -24,15 +25,23 @@ struct Step {
   double iterations_theory = 0;  // that the share of inliers asks for (ransac_iterations.h)
   // Of the tangent vector (rotation, translation) of cam2_from_cam1, R exp(rotation) and t + translation, in
   // rad and the unit of t, under the noise that the inliers show or the sensors are said to have. NaN where
-  // it is not known: all of it where no motion was measured, translation's part where the camera only turned.
-  // A step from bearings has rank 5, with nothing along t: what its length is worth is not told.
+  // it is not known: all of it where no motion was measured or nothing was checked (ransac two-stage and
+  // off), translation's part where the camera only turned and where it came from centroids. A step from
+  // bearings has rank 5, with nothing along t: what its length is worth is not told.
   Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
   std::vector<std::uint8_t> inlier_mask;  // 1 for each correspondence that agrees; empty where none was found
+  // What depth says of the length of t, which is 1 (m): only for scale first-pair, where there is depth.
+  std::optional<double> length_from_depth;
 };
 
-// The motion that explains the correspondences of two frames, by options.solver. Where the scale comes from
-// the truth, true_length is the length of the true step (m); without it such a step is lost.
+// What is known of a step before it is estimated.
+struct StepKnowledge {
+  std::optional<double> true_length = {};        // m, for scale truth; without it such a step is lost
+  std::optional<Eigen::Matrix3d> rotation = {};  // cam2_from_cam1, for two-point; likewise
+};
+
+// The motion that explains the correspondences of two frames, by options.solver.
 Step estimate_step(const Correspondences& correspondences, const Camera& camera,
-                   const OdometryOptions& options, std::uint64_t seed, std::optional<double> true_length);
+                   const OdometryOptions& options, std::uint64_t seed, const StepKnowledge& known = {});
 
 }  // namespace framewise

@@ -47,11 +47,14 @@ void add_essential(const std::optional<Eigen::Matrix3d>& E, std::span<const Bear
   if (const auto vote = choose_by_cheirality(*E, x1, x2)) poses.push_back(vote->cam2_from_cam1);
 }
 
-// A translation is the more certain the more points it rests on: all that the rotation leaves.
+// A translation is the more certain the more points it rests on: all that the rotation leaves. Of a rotation
+// and its twin about t, which Sampson's distance does not tell apart, the one with most points in front of
+// both cameras.
 void add_kneip(std::span<const Bearing> x1, std::span<const Bearing> x2, const Matches& all,
                std::vector<Pose>& poses) {
   for (const Eigen::Matrix3d& R : relrot_5pt_kneip(x1, x2))
-    if (const auto t = translation_npt(all.x1, all.x2, R)) poses.push_back({R, *t});
+    if (const auto t = translation_npt(all.x1, all.x2, R))
+      add_essential(essential_from_pose({R, *t}), all.x1, all.x2, poses);
 }
 
 // All that the solver says about these bearings, some or all of `all`.
