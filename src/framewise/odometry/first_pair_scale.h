@@ -9,8 +9,8 @@
 namespace framewise {
 
 // One constant length for all steps, from depth in the first pair of frames alone: the first step whose
-// translation is measured and whose points have depth. What comes before it and needs a length has none
-// (no-depth); a step that only turned needs none.
+// translation is measured and whose points have depth. Before it a step of little parallax counts as one that
+// only turned, which needs no length; a step with a measured translation and no depth has none (no-depth).
 class FirstPairScale {
  public:
   // Steps in the order of the frames, t of length 1; the answer is metric.

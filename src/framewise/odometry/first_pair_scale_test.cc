@@ -29,10 +29,13 @@ TEST(FirstPairScale, TheFirstMeasuredTranslationFixesTheLengthOfAll) {
   EXPECT_EQ(scale.length(), 0.25);
 }
 
-TEST(FirstPairScale, WhatComesBeforeAndNeedsALengthHasNone) {
+TEST(FirstPairScale, WhatComesBeforeOnlyTurnedOrHasNoLength) {
   FirstPairScale scale;
   EXPECT_EQ(scale.apply(step(Status::kOk)).status, Status::kNoDepth);  // no depth there
-  EXPECT_EQ(scale.apply(step(Status::kLowParallax, 0.5)).status, Status::kNoDepth);
+  const Step uncertain = scale.apply(step(Status::kLowParallax, 0.5));
+  EXPECT_EQ(uncertain.status, Status::kRotationOnly);
+  EXPECT_EQ(uncertain.cam2_from_cam1.t.norm(), 0);
+  EXPECT_TRUE(std::isnan(uncertain.covariance(5, 5)));
   EXPECT_EQ(scale.apply(step(Status::kRotationOnly)).status, Status::kRotationOnly);
   EXPECT_EQ(scale.apply(step(Status::kLost)).status, Status::kLost);
   EXPECT_FALSE(scale.length());

@@ -31,14 +31,13 @@ Estimate all_agree(const Pose& pose, std::size_t size) {
 }
 
 // The poses that a hypothesis stands for. Under Sampson's distance that is its essential matrix: the one of
-// its four with most of the drawn points in front of both cameras.
-std::optional<Pose> pose_of(const EpipolarModel& model, const RelativePoseOptions& options,
-                            std::span<const Bearing> drawn1, std::span<const Bearing> drawn2) {
+// its four with most of the drawn points in front of both cameras, any where none has.
+Pose pose_of(const EpipolarModel& model, const RelativePoseOptions& options, std::span<const Bearing> drawn1,
+             std::span<const Bearing> drawn2) {
   if (options.solver == RelativePoseSolver::kTwoPoint || options.measure == InlierMeasure::kReprojection)
     return model.pose;
   const auto vote = choose_by_cheirality(model.E, drawn1, drawn2);
-  if (!vote) return std::nullopt;
-  Pose pose = vote->cam2_from_cam1;
+  Pose pose = vote ? vote->cam2_from_cam1 : decompose_essential(model.E)[0];
   if (options.measure == InlierMeasure::kBearingEuclidean) pose.R = model.pose.R;
   return pose;
 }
@@ -69,11 +68,10 @@ std::optional<Estimate> estimate_relative_pose_from_one_sample(std::span<const B
   std::optional<Pose> best;
   double least = std::numeric_limits<double>::infinity();
   for (const EpipolarModel& model : models) {
-    const auto pose = pose_of(model, options, drawn1, drawn2);
-    if (!pose) continue;
+    const Pose pose = pose_of(model, options, drawn1, drawn2);
     double squares = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i)
-      squares += std::min(std::pow(judge.residual(*pose, i), 2), 1.0);  // behind a camera counts 1
+      squares += std::min(std::pow(judge.residual(pose, i), 2), 1.0);  // behind a camera counts 1
     if (best && !(squares < least)) continue;
     best = pose;
     least = squares;
