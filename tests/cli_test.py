@@ -194,6 +194,133 @@ class Run(Recording):
         self.assertEqual(len(trajectory), 8)
 
 
+class Methods(Recording):
+    """Solver, measure, scale and RANSAC scheme, on the matches of an archive."""
+
+    def setUp(self):
+        super().setUp()
+        self.archive = self.work / "matches.h5"
+        result = self.run_data("--archive", self.archive)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def solve(self, *options):
+        return framewise("run", self.archive, "--out", self.out, "--quiet", *options)
+
+    def frames(self):
+        with (self.out / "frames.csv").open() as file:
+            return list(csv.DictReader(file))
+
+    def record(self):
+        return json.loads((self.out / "run.json").read_text())
+
+    def test_every_row_of_the_published_comparison_follows_the_camera(self):
+        for solver in ("eigensolver", "kneip-5pt-rotation", "nister-5pt", "eight-point"):
+            for scale in ("centroid", "first-pair"):
+                for error in ("bearing-euclidean", "reprojection"):
+                    method = ("--solver", solver, "--scale", scale, "--error", error, "--ransac", "two-stage")
+                    result = self.solve(*method)
+                    self.assertEqual(result.returncode, 0, result.stderr)
+                    evaluation = self.record()["evaluation"]
+                    self.assertEqual(evaluation["coverage"], 1, method)
+                    self.assertEqual(self.record()["statuses"]["ok"], self.FRAMES, method)
+                    if error == "bearing-euclidean":
+                        continue  # takes parallax for error: it may be worse than standing still
+                    still = evaluation["static_baseline"]["rpe_rotation_deg"]
+                    self.assertLess(evaluation["rpe"]["rotation_deg"]["rmse"], 0.7 * still, method)
+
+    def test_first_pair_gives_every_step_one_length(self):
+        self.assertEqual(self.solve("--solver", "nister-5pt", "--scale", "first-pair", "--ransac", "two-stage").returncode, 0)
+        frames = self.frames()
+        lengths = {round(math.hypot(*(float(row[f"step_t{axis}"]) for axis in "xyz")), 12) for row in frames[1:]}
+        self.assertEqual(len(lengths), 1)
+
+    def test_first_pair_on_a_camera_that_stands_says_that_it_has_no_length(self):
+        first = self.listed("rgb.txt")[0][1]
+        self.rewrite("rgb.txt", lambda line: f"{line.split()[0]} {first}")
+        result = self.run_data("--solver", "nister-5pt", "--scale", "first-pair")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertIn("no length", result.stderr)
+        statuses = [row["status"] for row in self.frames()]
+        self.assertEqual(statuses[1:], ["rotation-only"] * (self.FRAMES - 1))
+
+    def test_two_point_takes_its_rotation_from_truth_trajectory_or_gyroscope(self):
+        truth = self.data / "groundtruth.txt"
+        gyroscope = self.work / "imu.csv"
+        self.write_gyroscope(gyroscope)
+        for source in ("truth", truth, gyroscope):
+            result = self.solve("--solver", "two-point", "--rotation", source)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            rotation = self.record()["evaluation"]["rpe"]["rotation_deg"]["rmse"]
+            self.assertLess(rotation, 1e-6 if source != gyroscope else 0.02, source)
+
+    def write_gyroscope(self, path):
+        """Constant rates between the true poses: what a perfect gyroscope would integrate to."""
+        poses = [[float(x) for x in line] for line in self.listed("groundtruth.txt")]
+        lines = ["#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1]"]
+        for a, b in zip(poses, poses[1:]):
+            R1, R2 = rotation_of(a[4:]), rotation_of(b[4:])
+            R = times(transposed(R1), R2)
+            angle = math.acos(min(1, max(-1, (R[0][0] + R[1][1] + R[2][2] - 1) / 2)))
+            scale = (angle / (2 * math.sin(angle)) if angle > 1e-9 else 0.5) / (b[0] - a[0])
+            rate = [scale * (R[2][1] - R[1][2]), scale * (R[0][2] - R[2][0]), scale * (R[1][0] - R[0][1])]
+            # Two samples a stretch, just inside it.
+            for time in (a[0] + 1e-5, b[0] - 1e-5):
+                lines.append(f"{round(time * 1e9)}," + ",".join(repr(x) for x in rate))
+        lines[1] = f"{round(poses[0][0] * 1e9)}," + lines[1].split(",", 1)[1]
+        lines[-1] = f"{round(poses[-1][0] * 1e9)}," + lines[-1].split(",", 1)[1]
+        path.write_text("\n".join(lines) + "\n")
+
+    def test_two_point_without_a_rotation_is_refused(self):
+        self.refuses(self.solve("--solver", "two-point"), "two-point", "--rotation")
+        self.refuses(self.solve("--solver", "two-point", "--rotation", "gyro"), "gyroscope")
+        self.refuses(self.solve("--solver", "two-point", "--rotation", self.work / "none.txt"), "none.txt")
+        self.refuses(self.solve("--solver", "eight-point", "--rotation", "truth"), "two-point")
+        elsewhere = self.work / "elsewhere.txt"
+        elsewhere.write_text("1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n")
+        self.refuses(self.solve("--solver", "two-point", "--rotation", elsewhere), "elsewhere.txt", "between any two frames")
+
+    def test_truth_that_covers_half_says_so(self):
+        times = [float(line[0]) for line in self.listed("groundtruth.txt")]
+        middle = times[len(times) // 2]
+        lines = (self.data / "groundtruth.txt").read_text().splitlines()
+        kept = [line for line in lines if line.startswith("#") or float(line.split()[0]) <= middle]
+        (self.data / "groundtruth.txt").write_text("\n".join(kept) + "\n")
+        result = self.run_data("--solver", "nister-5pt", "--scale", "truth")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        record = self.record()
+        self.assertLess(record["evaluation"]["coverage"], 0.7)
+        self.assertGreater(record["statuses"]["lost"], self.FRAMES // 3)
+
+    def test_one_frame_and_every_scale(self):
+        only = "\n".join((self.data / "rgb.txt").read_text().splitlines()[:3])
+        (self.data / "rgb.txt").write_text(only + "\n")
+        self.assertEqual(len(self.listed("rgb.txt")), 1)
+        for scale in ("depth", "centroid", "first-pair", "truth", "none"):
+            result = self.run_data("--solver", "nister-5pt", "--scale", scale)
+            self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_ransac_off_rejects_nothing(self):
+        self.assertEqual(self.solve("--solver", "eight-point", "--ransac", "off").returncode, 0)
+        for row in self.frames()[1:]:
+            self.assertEqual(row["inliers"], row["matches"])
+
+    def test_measures_and_scales_that_do_not_go_with_a_solver_are_refused(self):
+        self.refuses(self.solve("--solver", "kabsch", "--error", "sampson"), "error", "point-to-point")
+        self.refuses(self.solve("--solver", "two-point", "--rotation", "truth", "--error", "reprojection"), "sampson")
+        self.refuses(self.solve("--solver", "p3p", "--scale", "centroid"), "scale", "depth")
+        self.refuses(self.solve("--ransac", "sometimes"), "ransac", "two-stage")
+
+    def test_depth_images_alone_tell_the_motion(self):
+        shutil.rmtree(self.out)
+        for image in ("depth", "normal", "flexion"):
+            result = self.run_data("--input", image)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            evaluation = self.record()["evaluation"]
+            self.assertLess(evaluation["ate"]["rmse"], evaluation["static_baseline"]["ate"], image)
+        self.refuses(self.run_data("--input", "infrared"), "input", "flexion")
+
+
 class BadInput(Recording):
     def test_missing_folder(self):
         shutil.rmtree(self.data)
