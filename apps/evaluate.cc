@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "evaluate_options.h"
+#include "evo_result_of_evaluation.h"
 #include "framewise/evaluation/evaluation.h"
-#include "framewise/evaluation/presets.h"
 #include "framewise/io/input_error.h"
 #include "framewise/io/trajectory_files.h"
 #include "framewise/report/evaluation_json.h"
@@ -17,65 +17,78 @@
 namespace framewise::apps {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct EvaluateCommand {
-  std::filesystem::path reference, estimate;
-  std::string preset;
-  // Unset: as the preset has it.
-  std::string align, unit, association, pairs;
-  std::optional<double> delta, max_difference, time_offset;
+  fs::path reference, estimate;
+  fs::path times;  // of KITTI files, which hold none
+  EvaluateOptions options;
+  fs::path save_results;
+  std::string metric = "ate";
   bool json = false, quiet = false;
   int threads = 0;         // one thread is always enough here, and nothing is drawn:
   std::uint64_t seed = 0;  // both are taken because every command takes them
 };
 
-template <typename T>
-T choose(const char* option, const std::string& found, const std::map<std::string, T>& known) {
-  if (const auto choice = known.find(found); choice != known.end()) return choice->second;
-  std::string expected;
-  for (const auto& [name, value] : known) expected += (expected.empty() ? "" : ", ") + name;
-  throw std::invalid_argument(fmt::format("{}: found '{}', expected one of {}", option, found, expected));
-}
-
-Trajectory read_reference(const std::filesystem::path& path) {
-  if (!std::filesystem::is_directory(path)) return read_trajectory(path).trajectory;
+fs::path truth_file(const fs::path& path) {
+  if (!fs::is_directory(path)) return path;
   const auto truth = path / "groundtruth.txt";
-  if (!std::filesystem::exists(truth))
-    throw InputError(path, 0, "", "no groundtruth.txt", "a data set with truth");
-  return read_trajectory(truth).trajectory;
+  if (!fs::exists(truth)) throw InputError(path, 0, "", "no groundtruth.txt", "a data set with truth");
+  return truth;
 }
 
-// The preset, and over it what was asked for by name.
-EvaluationOptions options_of(const EvaluateCommand& command) {
-  EvaluationOptions options =
-      command.preset.empty() ? EvaluationOptions{} : evaluation_preset(command.preset);
-  if (!command.align.empty()) options.alignment = alignment_from_name(command.align);
-  if (!command.unit.empty()) {
-    options.relative.unit = delta_unit_from_name(command.unit);
-    options.relative.pairs.reset();  // what suits the unit
-  }
-  if (!command.association.empty())
-    options.association.method =
-        choose<AssociationMethod>("association", command.association,
-                                  {{"nearest", AssociationMethod::kNearest},
-                                   {"greedy", AssociationMethod::kGreedy},
-                                   {"interpolated", AssociationMethod::kInterpolated},
-                                   {"index", AssociationMethod::kIndex}});
-  if (command.delta) options.relative.delta = *command.delta;
-  if (command.max_difference) options.association.max_difference = *command.max_difference;
-  if (command.time_offset) options.association.time_offset = *command.time_offset;
-  if (!command.pairs.empty())
-    options.relative.pairs = choose<PairChoice>(
-        "pairs", command.pairs,
-        {{"consecutive", PairChoice::kConsecutive}, {"all", PairChoice::kAll}, {"tum", PairChoice::kTum}});
-  options.check();
-  return options;
+// A file that has no stamps takes those of --times.
+TrajectoryFile read_with_times(const fs::path& path, const fs::path& times) {
+  TrajectoryFile file = read_trajectory(path);
+  if (!file.has_times && !times.empty()) file = read_trajectory(path, file.format, times);
+  return file;
+}
+
+struct EvaluateInput {
+  TrajectoryFile reference, estimate;
+};
+
+EvaluateInput read_input(const EvaluateCommand& command) {
+  EvaluateInput input{read_with_times(truth_file(command.reference), command.times),
+                      read_with_times(command.estimate, command.times)};
+  if (!command.times.empty() && input.reference.format != TrajectoryFormat::kKitti &&
+      input.estimate.format != TrajectoryFormat::kKitti)
+    throw InputError(command.times, 0, "--times", "two trajectories with stamps of their own",
+                     "one in KITTI's format");
+  return input;
+}
+
+// Without stamps a pose is known by its place in the file alone.
+void match_by_index_without_times(const EvaluateCommand& command, const EvaluateInput& input,
+                                  EvaluationOptions& options) {
+  if (input.reference.has_times && input.estimate.has_times) return;
+  const fs::path& without = input.reference.has_times ? command.estimate : command.reference;
+  const bool neither = input.reference.has_times == input.estimate.has_times;
+  if (neither && command.options.association.empty()) options.association.method = AssociationMethod::kIndex;
+  if (options.association.method != AssociationMethod::kIndex)
+    throw InputError(without, 0, "", "poses without stamps", "--times FILE or --association index");
+  if (options.relative.unit == DeltaUnit::kSeconds)
+    throw InputError(without, 0, "", "poses without stamps", "--times FILE, or a delta in another unit");
+}
+
+void save_results(const EvaluateCommand& command, const Evaluation& evaluation, bool has_times) {
+  EvoResult result = evo_result(evaluation, metric_from_name(command.metric));
+  result.has_times = has_times;
+  result.reference_name = command.reference.filename().string();
+  result.estimate_name = command.estimate.filename().string();
+  // The archive keeps the two apart by name.
+  if (result.reference_name == result.estimate_name || result.reference_name.empty())
+    result.reference_name = "reference_" + result.reference_name;
+  write_evo_result(command.save_results, result, "--save-results");
 }
 
 int run(const EvaluateCommand& command) {
-  const EvaluationOptions options = options_of(command);
-  const Trajectory reference = read_reference(command.reference);
-  const Trajectory estimate = read_trajectory(command.estimate).trajectory;
-  const Evaluation evaluation = evaluate(reference, estimate, options);
+  EvaluationOptions options = command.options.resolved();
+  metric_from_name(command.metric);
+  const EvaluateInput input = read_input(command);
+  match_by_index_without_times(command, input, options);
+  const Evaluation evaluation = evaluate(input.reference.trajectory, input.estimate.trajectory, options);
+  if (!command.save_results.empty()) save_results(command, evaluation, input.estimate.has_times);
   if (command.json)
     fmt::print("{}\n", to_json(evaluation).dump(2));
   else if (!command.quiet)
@@ -92,22 +105,16 @@ void add_evaluate(CLI::App& program, Action& action) {
                   "trajectory file (TUM, KITTI, EuRoC) or data set with truth")
       ->required();
   app->add_option("ESTIMATE", command->estimate, "trajectory file")->required();
-  app->add_option("--preset", command->preset,
-                  "settings of another tool: evo, tum, kitti or lab; options given beside it win");
-  app->add_option("--align", command->align, "none, se3 (default), sim3, scale, yaw or origin");
-  app->add_option("--delta", command->delta, "span of the relative error (default 1)");
-  app->add_option("--unit", command->unit, "of delta: frames (default), seconds, metres or degrees");
+  app->add_option("--times", command->times, "the stamps of poses in KITTI's format, a line each (s)");
+  command->options.add_to(*app);
+  CLI::Option* save = app->add_option("--save-results", command->save_results,
+                                      "a zip file of the errors, as evo_res and evo's Python API read it");
   app->add_option(
-      "--pairs", command->pairs,
-      "consecutive (evo's default), all (evo's --all_pairs) or tum (their --fixed_delta; the default for "
-      "seconds)");
-  app->add_option(
-      "--association", command->association,
-      "nearest (default, evo), greedy (TUM tools), interpolated (truth moved to the estimate's times) or "
-      "index");
-  app->add_option("--max-difference", command->max_difference,
-                  "largest time difference of a match (s, default 0.01)");
-  app->add_option("--time-offset", command->time_offset, "added to the estimate's times (s, default 0)");
+         "--metric", command->metric,
+         "of --save-results: ate, rpe-translation or rpe-direction (-rotation, -full, -rotation-part "
+         "of either, rpe-distance, rpe-distance-ratio)")
+      ->capture_default_str()
+      ->needs(save);
   app->add_option("--threads", command->threads, "0: all cores; does not change the result")
       ->capture_default_str();
   app->add_option("--seed", command->seed, "of every random choice (there is none here)")
@@ -118,7 +125,9 @@ void add_evaluate(CLI::App& program, Action& action) {
       "Examples:\n"
       "  framewise evaluate groundtruth.txt out/trajectory.tum\n"
       "  framewise evaluate rgbd_dataset_freiburg1_desk out/trajectory.tum --delta 1 --unit seconds --json\n"
-      "  framewise evaluate groundtruth.txt out/trajectory.tum --preset tum");
+      "  framewise evaluate groundtruth.txt out/trajectory.tum --preset tum\n"
+      "  framewise evaluate groundtruth.txt out/trajectory.tum --save-results kabsch.zip --metric "
+      "rpe-rotation");
   app->callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

@@ -14,6 +14,7 @@ import struct
 import subprocess
 import tempfile
 import unittest
+import zipfile
 import zlib
 
 FRAMEWISE = os.environ["FRAMEWISE"]
@@ -711,6 +712,94 @@ class Evaluate(Recording):
         self.refuses(framewise("evaluate", self.data / "groundtruth.txt", self.work / "empty.txt"), "empty.txt")
         self.refuses(framewise("evaluate", self.data / "groundtruth.txt", self.data / "groundtruth.txt", "--align", "x"))
         self.refuses(framewise("evaluate", self.data / "groundtruth.txt", self.data / "groundtruth.txt", "--delta", "0"))
+
+    def trajectory(self, name, poses):
+        """A TUM file of (time, x, y, z) without turns."""
+        path = self.work / name
+        path.write_text("".join(f"{t} {x} {y} {z} 0 0 0 1\n" for t, x, y, z in poses))
+        return path
+
+    def test_trajectories_that_make_no_figure_are_refused(self):
+        line = [(i, 0.1 * i, 0, 0) for i in range(5)]
+        truth = self.trajectory("truth.txt", line)
+        for name, poses, words in (("none.txt", [], ("none.txt", "no poses")),
+                                   ("one.txt", line[:1], ("expected 2 or more",)),
+                                   ("nan.txt", [line[0], (1, "nan", 0, 0)], ("nan.txt:2", "tx", "'nan'")),
+                                   ("inf.txt", [line[0], (1, "inf", 0, 0)], ("inf.txt:2", "tx")),
+                                   ("later.txt", [(t + 100, x, y, z) for t, x, y, z in line], ("no pose", "in time")),
+                                   ("back.txt", line[::-1], ("back.txt:2", "timestamp"))):
+            with self.subTest(name):
+                self.refuses(framewise("evaluate", truth, self.trajectory(name, poses)), *words)
+        self.refuses(framewise("evaluate", truth, self.work), "a folder")
+        self.refuses(framewise("evaluate", truth, truth, "--align", "sim3", "--estimate-scale", "0"), "estimate_scale")
+        still = self.trajectory("still.txt", [(t, 1, 2, 3) for t, *_ in line])
+        self.refuses(framewise("evaluate", truth, still, "--align", "sim3"), "never moves")
+
+    def test_options_that_make_no_sense_are_refused(self):
+        truth = self.trajectory("truth.txt", [(i, 0.1 * i, 0, 0) for i in range(5)])
+        for options in (("--unit", "furlongs"), ("--pairs", "some"), ("--plane", "xx"), ("--association", "any"),
+                        ("--preset", "other"), ("--delta", "0.5"), ("--tolerance", "-1"), ("--max-difference", "-1"),
+                        ("--from-time", "3", "--to-time", "1"), ("--metric", "ate"), ("--poses-to-align", "-1"),
+                        ("--save-results", self.work / "r.zip", "--metric", "ape"),
+                        ("--save-results", self.work / "r.zip", "--metric", "rpe-rotation", "--delta", "9"),
+                        ("--times", self.trajectory("times.txt", []))):
+            with self.subTest(options):
+                self.refuses(framewise("evaluate", truth, truth, *options))
+
+    def test_results_that_cannot_be_written_are_refused(self):
+        truth = self.trajectory("truth.txt", [(i, 0.1 * i, 0, 0) for i in range(5)])
+        for path in (self.work / "nowhere" / "r.zip", self.work, truth / "r.zip", "/dev/full/r.zip"):
+            with self.subTest(path):
+                self.refuses(framewise("evaluate", truth, truth, "--save-results", path), str(path), "--save-results")
+
+    def test_results_have_the_same_bytes_every_time_and_are_a_zip_file(self):
+        truth = self.trajectory("truth.txt", [(i, 0.1 * i, 0, 0) for i in range(5)])
+        first, second = self.work / "a.zip", self.work / "b.zip"
+        for path in (first, second):
+            done = framewise("evaluate", truth, truth, "--align", "none", "--quiet", "--save-results", path)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        self.assertEqual(first.read_bytes(), second.read_bytes())
+        with zipfile.ZipFile(first) as archive:
+            self.assertIsNone(archive.testzip())
+            self.assertEqual(json.loads(archive.read("stats.json"))["rmse"], 0)
+            self.assertEqual(json.loads(archive.read("info.json"))["est_name"], "truth.txt")
+            self.assertEqual({i.filename for i in archive.infolist() if i.filename.endswith(".tum")},
+                             {"truth.txt.tum", "reference_truth.txt.tum"})
+
+    def kitti(self, name, count):
+        path = self.work / name
+        path.write_text("".join(f"1 0 0 {0.1 * i} 0 1 0 0 0 0 1 0\n" for i in range(count)))
+        return path
+
+    def test_poses_without_stamps_are_matched_by_their_place_or_take_stamps_from_a_file(self):
+        a, b, shorter = self.kitti("a.txt", 5), self.kitti("b.txt", 5), self.kitti("short.txt", 4)
+        stamps = self.work / "times.txt"
+        stamps.write_text("".join(f"{10 + i}\n" for i in range(5)))
+        truth = self.trajectory("truth.txt", [(10 + i, 0.1 * i, 0, 0) for i in range(5)])
+
+        done = framewise("evaluate", a, b, "--align", "none", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["matched"], 5)
+        self.refuses(framewise("evaluate", a, shorter), "5 poses", "4")
+        self.refuses(framewise("evaluate", a, b, "--unit", "seconds"), "without stamps", "--times")
+        self.refuses(framewise("evaluate", truth, b), "b.txt", "without stamps", "--times")
+        self.refuses(framewise("evaluate", truth, shorter, "--times", stamps), "times.txt")
+        for pair in ((truth, b), (b, truth), (a, b)):
+            done = framewise("evaluate", *pair, "--times", stamps, "--delta", "1", "--unit", "seconds", "--json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(json.loads(done.stdout)["matched"], 5)
+
+    def test_euroc_is_read_too(self):
+        truth = self.trajectory("truth.txt", [(10 + i, 0.1 * i, 0, 0) for i in range(5)])
+        euroc = self.work / "data.csv"
+        euroc.write_text("#timestamp [ns],x,y,z,qw,qx,qy,qz\n"
+                         + "".join(f"{(10 + i) * 10**9},{0.1 * i},0,0,1,0,0,0\n" for i in range(5)))
+        done = framewise("evaluate", euroc, truth, "--align", "none", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        answer = json.loads(done.stdout)
+        self.assertEqual(answer["matched"], 5)
+        self.assertLess(answer["ate"]["max"], 1e-12)
+        self.assertLess(answer["ate_rotation_deg"]["max"], 1e-6)
 
 
 def read_png(path):

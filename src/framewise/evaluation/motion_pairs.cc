@@ -101,7 +101,9 @@ RelativeMotion motion_of(const Trajectory& reference, std::size_t k, std::size_t
           A[k].inverse() * A[l],
           B[i].inverse() * B[j],
           distance_between(reference, k, l),
-          distance_between(estimate, i, j)};
+          distance_between(estimate, i, j),
+          A[l],
+          B[j]};
 }
 
 double median_interval(const Trajectory& trajectory) {

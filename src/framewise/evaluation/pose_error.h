@@ -37,6 +37,9 @@ struct RelativeMotion {
   // |t(A)| and |t(B)| from the positions themselves, which rounding of the rotations does not touch (m).
   double reference_distance;
   double estimate_distance;
+  // world_from_cam at to_time, both in the reference's world.
+  Pose reference_at_end;
+  Pose estimate_at_end;
 };
 
 // One error a pose. point_distance_ratio and direction throw std::invalid_argument.

@@ -72,12 +72,15 @@ std::string association_text(const AssociationOptions& association) {
 std::string relative_text(const Evaluation& e) {
   const RelativeErrorOptions& relative = e.options.relative;
   const PairChoice pairs = relative.resolved_pairs();
+  const bool has_tolerance = pairs == PairChoice::kAll && relative.unit != DeltaUnit::kFrames;
   return "delta " + figure(relative.delta) + " " + name_of(relative.unit) + ", " +
          std::to_string(e.motions.size()) +
          (pairs == PairChoice::kConsecutive ? " consecutive pairs"
           : pairs == PairChoice::kAll       ? " pairs, all of that delta"
                                             : " pairs, one from each pose as the TUM tools choose them") +
-         ", error " + (relative.resolved_order() == RelativeErrorOrder::kTum ? "A B^-1" : "B^-1 A");
+         (has_tolerance ? " within " + figure(100 * relative.tolerance) + " %" : "") +
+         (relative.pairs_from_reference ? ", chosen on the reference" : "") + ", error " +
+         (relative.resolved_order() == RelativeErrorOrder::kTum ? "A B^-1" : "B^-1 A");
 }
 
 // What a distance hides: which axis an error is along, and what it adds up to.
