@@ -9,16 +9,17 @@
 #include "commands.h"
 #include "framewise/evaluation/evaluation.h"
 #include "framewise/evaluation/presets.h"
-#include "framewise/io/input_error.h"
 #include "framewise/io/trajectory_files.h"
 #include "framewise/report/evaluation_json.h"
 #include "framewise/report/evaluation_text.h"
+#include "recording.h"
 
 namespace framewise::apps {
 namespace {
 
 struct EvaluateCommand {
   std::filesystem::path reference, estimate;
+  DatasetOptions dataset;  // how the reference is read, where it is one
   std::string preset;
   // Unset: as the preset has it.
   std::string align, unit, association, pairs;
@@ -36,12 +37,10 @@ T choose(const char* option, const std::string& found, const std::map<std::strin
   throw std::invalid_argument(fmt::format("{}: found '{}', expected one of {}", option, found, expected));
 }
 
-Trajectory read_reference(const std::filesystem::path& path) {
-  if (!std::filesystem::is_directory(path)) return read_trajectory(path).trajectory;
-  const auto truth = path / "groundtruth.txt";
-  if (!std::filesystem::exists(truth))
-    throw InputError(path, 0, "", "no groundtruth.txt", "a data set with truth");
-  return read_trajectory(truth).trajectory;
+Trajectory read_reference(const EvaluateCommand& command) {
+  const bool is_file = std::filesystem::is_regular_file(command.reference);
+  return is_file ? read_trajectory(command.reference).trajectory
+                 : read_truth(command.reference, command.dataset);
 }
 
 // The preset, and over it what was asked for by name.
@@ -73,7 +72,7 @@ EvaluationOptions options_of(const EvaluateCommand& command) {
 
 int run(const EvaluateCommand& command) {
   const EvaluationOptions options = options_of(command);
-  const Trajectory reference = read_reference(command.reference);
+  const Trajectory reference = read_reference(command);
   const Trajectory estimate = read_trajectory(command.estimate).trajectory;
   const Evaluation evaluation = evaluate(reference, estimate, options);
   if (command.json)
@@ -108,6 +107,11 @@ void add_evaluate(CLI::App& program, Action& action) {
   app->add_option("--max-difference", command->max_difference,
                   "largest time difference of a match (s, default 0.01)");
   app->add_option("--time-offset", command->time_offset, "added to the estimate's times (s, default 0)");
+  app->add_option("--format", command->dataset.format, "of a data set as the reference; else recognised");
+  app->add_option("--fps", command->dataset.fps, "frames a second of a data set without stamps");
+  app->add_option("--register-depth", command->dataset.register_depth,
+                  "false: the truth of 7-Scenes stays the depth camera's")
+      ->capture_default_str();
   app->add_option("--threads", command->threads, "0: all cores; does not change the result")
       ->capture_default_str();
   app->add_option("--seed", command->seed, "of every random choice (there is none here)")

@@ -74,9 +74,12 @@ void expect_folder(const fs::path& path, const char* expected) {
   if (!fs::is_directory(path)) throw InputError(path, 0, "", "no folder", expected);
 }
 
-std::string folder_name(const fs::path& folder) {
-  return fs::weakly_canonical(folder / "").parent_path().filename().string();
+fs::path whole_path(const fs::path& folder) {
+  const fs::path whole = fs::weakly_canonical(fs::absolute(folder));
+  return whole.has_filename() ? whole : whole.parent_path();  // "a/" is a folder as well
 }
+
+std::string folder_name(const fs::path& folder) { return whole_path(folder).filename().string(); }
 
 CameraFile depth_of_unknown_unit() {
   CameraFile file;

@@ -52,6 +52,9 @@ void check_truth(const std::filesystem::path& file, const Trajectory& truth,
 // Throws InputError where the path is no folder.
 void expect_folder(const std::filesystem::path& path, const char* expected);
 
+// The folder from the root, without links and without a slash at its end.
+std::filesystem::path whole_path(const std::filesystem::path& folder);
+
 // The folder's own name, however the path is written.
 std::string folder_name(const std::filesystem::path& folder);
 

@@ -100,14 +100,15 @@ Dataset open_depth_folder(const fs::path& folder, const DatasetOptions& options,
 
 Dataset open_depth(const fs::path& folder, const DatasetOptions& options) {
   CameraFile otherwise = depth_of_unknown_unit();
-  if (folder_name(depth_folder(folder)).find("range") != std::string::npos)
+  const fs::path images = depth_folder(folder);
+  if (!images.empty() && folder_name(images).find("range") != std::string::npos)
     otherwise.depth_type = DepthType::kRange;
   return open_depth_folder(folder, options, otherwise, kVideoRate);
 }
 
 // Uhrig et al., Sparsity invariant CNNs, 3DV 2017: value / 256, 0 unknown.
 std::string recognise_kitti_depth(const fs::path& folder) {
-  const std::string whole = fs::weakly_canonical(folder).string();
+  const std::string whole = whole_path(folder).string();
   for (const char* name : {"proj_depth", "groundtruth_depth", "velodyne_raw"})
     if (whole.find(name) != std::string::npos && !files_in(folder, {".png"}).empty())
       return fmt::format("its path names {}", name);

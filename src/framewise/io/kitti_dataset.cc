@@ -81,7 +81,7 @@ std::string recognise_kitti(const fs::path& folder) {
 // poses.txt beside the images, or poses/NN.txt beside the folder sequences/NN.
 fs::path poses_file(const fs::path& folder) {
   if (fs::exists(folder / "poses.txt")) return folder / "poses.txt";
-  const fs::path whole = fs::weakly_canonical(folder / "").parent_path();
+  const fs::path whole = whole_path(folder);
   const fs::path apart = whole.parent_path().parent_path() / "poses" / (whole.filename().string() + ".txt");
   return fs::exists(apart) ? apart : fs::path();
 }

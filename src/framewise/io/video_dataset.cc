@@ -14,11 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string recognise_video(const fs::path& path) {
-  if (!fs::is_regular_file(path)) return "";
-  const std::string extension = extension_of(path);
-  for (const char* known : {".mp4", ".avi", ".mkv", ".mov", ".m4v", ".webm", ".mpg", ".mpeg", ".wmv", ".ogv"})
-    if (extension == known) return "its name ends in " + extension;
-  return "";
+  return fs::is_regular_file(path) && is_video_name(path) ? "its name ends in " + extension_of(path) : "";
 }
 
 Dataset open_video(const fs::path& path, const DatasetOptions& options) {

@@ -8,6 +8,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "framewise/image/gray_image.h"
+#include "framewise/io/file_names.h"
 #include "framewise/io/input_error.h"
 
 namespace framewise {
@@ -26,6 +27,13 @@ std::vector<double> checked_times(std::vector<double> times, double rate) {
 }
 
 }  // namespace
+
+bool is_video_name(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  for (const char* known : {".mp4", ".avi", ".mkv", ".mov", ".m4v", ".webm", ".mpg", ".mpeg", ".wmv", ".ogv"})
+    if (extension == known) return true;
+  return false;
+}
 
 VideoFile::VideoFile(const std::filesystem::path& path) : path_(path) {
   open();

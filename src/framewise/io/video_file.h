@@ -16,6 +16,9 @@ class VideoCapture;
 
 namespace framewise {
 
+// Whether a file's ending is a video's: .mp4, .avi, .mkv, …
+bool is_video_name(const std::filesystem::path& file);
+
 // A video's frames by their number, asked for in any order from any thread. Videos are decoded from the
 // front: the decoder goes on from where it is, keeps the frames it passed last (32 MiB of them, 16 at least),
 // and begins again where an earlier one is wanted. So frames asked for nearly in order cost what playing the
