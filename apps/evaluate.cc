@@ -13,6 +13,7 @@
 #include "framewise/io/trajectory_files.h"
 #include "framewise/report/evaluation_json.h"
 #include "framewise/report/evaluation_text.h"
+#include "recording.h"
 
 namespace framewise::apps {
 namespace {
@@ -21,7 +22,8 @@ namespace fs = std::filesystem;
 
 struct EvaluateCommand {
   fs::path reference, estimate;
-  fs::path times;  // of KITTI files, which hold none
+  fs::path times;          // of KITTI files, which hold none
+  DatasetOptions dataset;  // how the reference is read, where it is one
   EvaluateOptions options;
   fs::path save_results;
   std::string metric = "ate";
@@ -29,13 +31,6 @@ struct EvaluateCommand {
   int threads = 0;         // one thread is always enough here, and nothing is drawn:
   std::uint64_t seed = 0;  // both are taken because every command takes them
 };
-
-fs::path truth_file(const fs::path& path) {
-  if (!fs::is_directory(path)) return path;
-  const auto truth = path / "groundtruth.txt";
-  if (!fs::exists(truth)) throw InputError(path, 0, "", "no groundtruth.txt", "a data set with truth");
-  return truth;
-}
 
 // A file that has no stamps takes those of --times.
 TrajectoryFile read_with_times(const fs::path& path, const fs::path& times) {
@@ -48,9 +43,15 @@ struct EvaluateInput {
   TrajectoryFile reference, estimate;
 };
 
+TrajectoryFile read_reference(const EvaluateCommand& command) {
+  if (fs::is_regular_file(command.reference)) return read_with_times(command.reference, command.times);
+  TrajectoryFile of_data_set;
+  of_data_set.trajectory = read_truth(command.reference, command.dataset);
+  return of_data_set;
+}
+
 EvaluateInput read_input(const EvaluateCommand& command) {
-  EvaluateInput input{read_with_times(truth_file(command.reference), command.times),
-                      read_with_times(command.estimate, command.times)};
+  EvaluateInput input{read_reference(command), read_with_times(command.estimate, command.times)};
   if (!command.times.empty() && input.reference.format != TrajectoryFormat::kKitti &&
       input.estimate.format != TrajectoryFormat::kKitti)
     throw InputError(command.times, 0, "--times", "two trajectories with stamps of their own",
@@ -115,6 +116,11 @@ void add_evaluate(CLI::App& program, Action& action) {
          "of either, rpe-distance, rpe-distance-ratio)")
       ->capture_default_str()
       ->needs(save);
+  app->add_option("--format", command->dataset.format, "of a data set as the reference; else recognised");
+  app->add_option("--fps", command->dataset.fps, "frames a second of a data set without stamps");
+  app->add_option("--register-depth", command->dataset.register_depth,
+                  "false: the truth of 7-Scenes stays the depth camera's")
+      ->capture_default_str();
   app->add_option("--threads", command->threads, "0: all cores; does not change the result")
       ->capture_default_str();
   app->add_option("--seed", command->seed, "of every random choice (there is none here)")

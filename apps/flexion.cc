@@ -112,12 +112,7 @@ CameraFile resolved_camera(const FlexionCommand& command) {
   CameraFile otherwise;
   otherwise.depth_max = kNoLimit;
   CameraFile file = read_camera_file(command.camera, otherwise);
-  if (!command.depth_type.empty()) file.depth_type = *depth_type_from_name(command.depth_type);
-  if (command.depth_max) {
-    file.depth_max = *command.depth_max;
-    if (file.depth_type == DepthType::kRange) file.depth_factor = 65535 / file.depth_max;
-  }
-  file.depth_factor = command.depth_factor.value_or(file.depth_factor);
+  override_depth(file, command.depth_type, command.depth_factor, command.depth_max);
   return file;
 }
 

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +30,17 @@ struct Recording {
   Trajectory true_trajectory() const;  // of the frames whose truth is known
 };
 
-// A file is taken for an archive, anything else for a data set. Throws InputError.
+// What says how a data set is to be read: --format, --camera, --depth-type and so on.
+void add_dataset_options(CLI::App& app, DatasetOptions& options);
+
+// The options above as run.json writes them down.
+nlohmann::ordered_json dataset_options_json(const DatasetOptions& options);
+
+// The truth of a data set, which needs neither images nor a calibration that is known. Throws InputError where
+// there is none.
+Trajectory read_truth(const std::filesystem::path& path, DatasetOptions options);
+
+// An HDF5 file is an archive, anything else a data set. Throws InputError.
 Recording open_recording(const std::filesystem::path& path, const DatasetOptions& options);
 
 // Options that shaped an archive's correspondences take the archive's values. Throws InputError where one was

@@ -48,6 +48,9 @@ FrameLine line_of(const FrameResult& result) {
 
 void check_means(const RunCommand& command, const Recording& recording) {
   const OdometryOptions& method = command.odometry;
+  if (recording.images && recording.images->frames_with_color == 0 && method.input == "color")
+    throw InputError(recording.path, 0, "colour", "depth images alone",
+                     "--input depth, flexion or normal, which looks for features in depth");
   if ((method.needs_depth() || method.scale == "first-pair") && recording.from.frames_with_depth == 0)
     throw InputError(recording.path, 0, "depth", "no depth images",
                      "some for this method (without: --solver nister-5pt --scale none)");
@@ -59,7 +62,7 @@ void check_means(const RunCommand& command, const Recording& recording) {
         "rotation: found '{}' with solver {}, which finds the rotation itself; expected solver two-point",
         command.rotation, method.solver));
   if (command.odometry.scale == "truth" && !recording.has_truth())
-    throw InputError(recording.path, 0, "groundtruth.txt", "no truth", "one for --scale truth");
+    throw InputError(recording.path, 0, "truth", "none", "one for --scale truth, such as groundtruth.txt");
 }
 
 PriorKnowledge knowledge(const RunCommand& command, const Recording& recording) {
@@ -127,8 +130,7 @@ Json resolved_options(const RunCommand& command, const Recording& recording) {
   Json options = options_json(command.odometry);
   options["rotation"] = command.rotation;
   if (!recording.images) return options;
-  options["max-time-difference"] = command.dataset.max_time_difference;
-  options["max-truth-gap"] = command.dataset.max_truth_gap;
+  options.update(dataset_options_json(command.dataset));
   return options;
 }
 
@@ -182,25 +184,15 @@ int run(RunCommand& command, CLI::App& app) {
 void add_run(CLI::App& program, Action& action) {
   const auto command = std::make_shared<RunCommand>();
   CLI::App* app = program.add_subcommand("run", "Odometry of a recording, or of the archive of one");
-  app->add_option("DATASET", command->path,
-                  "folder with rgb.txt, depth.txt and perhaps groundtruth.txt (TUM RGB-D layout),\n"
-                  "or a correspondence archive")
+  app->add_option(
+         "DATASET", command->path,
+         "a recording (folder or video; docs/datasets.md lists the formats), or a correspondence archive")
       ->required();
   app->add_option("--out", command->out, "folder for trajectory.tum, frames.csv and run.json")->required();
   app->add_option("--archive", command->archive, "HDF5 file to write the correspondences of all pairs to");
   app->add_option("--export-features", command->features_folder,
                   "folder to write keypoints and descriptors to, a text file a frame");
-  app->add_option("--camera", command->dataset.camera_file,
-                  "camera YAML; else camera.yaml in the data set, else told by the name freiburg1, 2, 3");
-  app->add_option("--depth-factor", command->dataset.depth_factor, "raw depth units in a metre");
-  app->add_option("--depth-max", command->dataset.depth_max,
-                  "depth images know nothing farther than this (m)");
-  app->add_option("--max-time-difference", command->dataset.max_time_difference,
-                  "colour and depth farther apart are not one frame (s)")
-      ->capture_default_str();
-  app->add_option("--max-truth-gap", command->dataset.max_truth_gap,
-                  "no truth is interpolated across more (s)")
-      ->capture_default_str();
+  add_dataset_options(*app, command->dataset);
   add_method_options(*app, command->odometry);
   app->add_option(
          "--rotation", command->rotation,

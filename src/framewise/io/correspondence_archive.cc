@@ -41,7 +41,7 @@ void check_format(const fs::path& path, const Handle& root) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   const auto require = [&](const char* name, const char* expected) {
-    const std::string found = has(name) ? "'" + hdf5::read_text(root, name) + "'" : "nothing";
+    const std::string found = has(name) ? fmt::format("'{}'", hdf5::read_text(root, name)) : "nothing";
     if (found != fmt::format("'{}'", expected)) throw InputError(path, 0, name, found, expected);
   };
   require("format", archive_layout::kFormat);

@@ -41,6 +41,10 @@ std::vector<Line> read_words(const std::filesystem::path& path, std::size_t word
   return lines;
 }
 
+bool is_depth_first(const Line& line) {
+  return line.words[1].find("depth") != std::string::npos && line.words[3].find("depth") == std::string::npos;
+}
+
 double parse_time(const std::filesystem::path& path, int line, const std::string& word) {
   double time = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), time);
@@ -48,6 +52,8 @@ double parse_time(const std::filesystem::path& path, int line, const std::string
     throw InputError(path, line, "", "'" + word + "'", "a time in seconds");
   return time;
 }
+
+}  // namespace
 
 // Seconds since 1970 have ten digits; a camera that waits a quarter of an hour between frames is none.
 void check_seconds(const std::filesystem::path& path, const std::vector<double>& times,
@@ -64,8 +70,6 @@ void check_seconds(const std::filesystem::path& path, const std::vector<double>&
     throw InputError(path, lines.front(), "", fmt::format("time {}", times.front()),
                      "seconds (are these nano-, micro- or milliseconds?)");
 }
-
-}  // namespace
 
 std::vector<ListedFile> read_file_list(const std::filesystem::path& path) {
   std::vector<ListedFile> files;
@@ -84,11 +88,15 @@ std::vector<AssociatedFiles> read_association_list(const std::filesystem::path& 
   std::vector<AssociatedFiles> pairs;
   std::vector<double> times;
   std::vector<int> numbers;
-  for (const Line& line : read_words(path, 4, "lines of 'time file time file'")) {
-    times.push_back(parse_time(path, line.number, line.words[0]));
+  const auto lines = read_words(path, 4, "lines of 'time file time file'");
+  const std::size_t color = is_depth_first(lines.front()) ? 2 : 0, depth = 2 - color;
+  const auto file_at = [&](const Line& line, std::size_t word) {
+    return ListedFile{parse_time(path, line.number, line.words[word]), line.words[word + 1], line.number};
+  };
+  for (const Line& line : lines) {
+    pairs.push_back({file_at(line, color), file_at(line, depth)});
+    times.push_back(pairs.back().color.time);
     numbers.push_back(line.number);
-    const double depth_time = parse_time(path, line.number, line.words[2]);
-    pairs.push_back({{times.back(), line.words[1], line.number}, {depth_time, line.words[3], line.number}});
   }
   check_seconds(path, times, numbers);
   return pairs;

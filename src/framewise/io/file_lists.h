@@ -23,8 +23,14 @@ struct AssociatedFiles {
   ListedFile color, depth;
 };
 
-// Reads "time file time file" lines (colour first), as the TUM benchmark's associate.py writes them.
+// Reads "time file time file" lines as the TUM benchmark's associate.py writes them: colour first, unless the
+// first line's files lie in folders called depth and then rgb (ICL-NUIM).
 std::vector<AssociatedFiles> read_association_list(const std::filesystem::path& path);
+
+// Throws InputError, at the line of the offender, for times that do not increase and times that are not
+// seconds. At least one.
+void check_seconds(const std::filesystem::path& path, const std::vector<double>& times,
+                   const std::vector<int>& lines);
 
 // For each time of `times` the index of its partner in `others`, or -1: pairs closer than max_difference (s),
 // each used once, the closest pairs first. Both ascending.

@@ -50,6 +50,15 @@ TEST(FileLists, RefuseWhatIsNoListAndSayWhere) {
   EXPECT_THROW(read_file_list("/no/such/list.txt"), InputError);
 }
 
+TEST(FileLists, AssociationsMayNameDepthFirst) {
+  const auto usual = read_association_list(write_list("1 rgb/a.png 1.5 depth/b.png\n"));
+  EXPECT_EQ(usual[0].color.file, "rgb/a.png");
+  const auto other = read_association_list(write_list("1 depth/b.png 2 rgb/a.png\n"));
+  EXPECT_EQ(other[0].color.file, "rgb/a.png");
+  EXPECT_EQ(other[0].color.time, 2);
+  EXPECT_EQ(other[0].depth.time, 1);
+}
+
 TEST(AssociateByTime, GivesTheClosestPairsFirstAndEachOnce) {
   const std::vector<double> times = {0.00, 0.03, 0.06, 0.09}, others = {0.005, 0.028, 0.031, 0.2};
   EXPECT_EQ(associate_by_time(times, others, 0.02), (std::vector<int>{0, 2, -1, -1}));

@@ -78,9 +78,12 @@ cv::Mat decode(const std::filesystem::path& path, int flags) {
 
 cv::Mat read_gray(const std::filesystem::path& path) { return decode(path, cv::IMREAD_GRAYSCALE); }
 
+cv::Mat read_image(const std::filesystem::path& path) {
+  return is_exr_file(path) ? read_exr_depth(path) : decode(path, cv::IMREAD_UNCHANGED);
+}
+
 cv::Mat read_depth_file(const std::filesystem::path& path) {
-  if (is_exr_file(path)) return read_exr_depth(path);
-  const cv::Mat image = decode(path, cv::IMREAD_UNCHANGED);
+  const cv::Mat image = read_image(path);
   if (image.type() != CV_16UC1 && image.type() != CV_32FC1)
     throw InputError(path, 0, "pixel type",
                      fmt::format("{} channel(s) of {} bits", image.channels(), 8 * image.elemSize1()),

@@ -9,19 +9,13 @@
 #include <fstream>
 #include <vector>
 
+#include "framewise/io/frame_times.h"
 #include "framewise/io/input_error.h"
 #include "framewise/io/number_rows.h"
+#include "framewise/io/pose_rows.h"
 
 namespace framewise {
 namespace {
-
-Pose pose_of_quaternion(const NumberRows& rows, const NumberRow& row, const Eigen::Vector3d& t,
-                        const Eigen::Quaterniond& q) {
-  if (!(q.norm() > 1e-3) || !(q.norm() < 1e3))
-    throw InputError(rows.path(), row.line, "quaternion", "length " + shortest_text(q.norm()),
-                     "a length near 1");
-  return Pose::from_quaternion(q, t);
-}
 
 struct TimedPose {
   double time;
@@ -44,19 +38,9 @@ TimedPose euroc_pose(const NumberRows& rows, const NumberRow& row) {
   return {v[0] / 1e9, pose_of_quaternion(rows, row, {v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]})};
 }
 
-// The matrix as printed: making it a better rotation would move what other tools measure in the last digits.
 Pose kitti_pose(const NumberRows& rows, const NumberRow& row) {
   rows.expect_columns(row, row.fields.size() == 12, "12 (a 3x4 matrix, row by row)");
-  Eigen::Matrix<double, 3, 4, Eigen::RowMajor> M;
-  for (std::size_t i = 0; i < 12; ++i) M.data()[i] = rows.number(row, i, "column " + std::to_string(i + 1));
-  const Eigen::Matrix3d R = M.leftCols<3>();
-  if (!(R * R.transpose()).isIdentity(1e-3) || R.determinant() < 0)
-    throw InputError(rows.path(), row.line, "rotation",
-                     "R R' away from the identity by " +
-                         shortest_text((R * R.transpose() - Eigen::Matrix3d::Identity()).norm()) +
-                         " with determinant " + shortest_text(R.determinant()),
-                     "a rotation matrix");
-  return {R, M.col(3)};
+  return pose_of_matrix(rows, row);
 }
 
 TrajectoryFormat format_of(const NumberRows& rows, const NumberRow& row) {
@@ -104,16 +88,6 @@ void append(const std::filesystem::path& path, std::size_t line, const TimedPose
     ++file.repeated;
   else
     trajectory.add(timed.time, timed.pose);
-}
-
-std::vector<double> read_times(const std::filesystem::path& path) {
-  std::vector<double> times;
-  const NumberRows rows(path, "a stamp a line");
-  for (const NumberRow& row : rows) {
-    rows.expect_columns(row, row.fields.size() == 1, "1 (a stamp in seconds)");
-    times.push_back(rows.number(row, 0, "timestamp"));
-  }
-  return times;
 }
 
 void add_kitti(const NumberRows& rows, const std::filesystem::path& times_path, TrajectoryFile& file) {
