@@ -122,7 +122,7 @@ auto from_name(const Names& values, const std::string& name, const std::string& 
   std::string expected;
   for (const auto value : values) {
     if (name_of(value) == name) return value;
-    expected += " " + name_of(value);
+    expected.append(" ").append(name_of(value));
   }
   throw std::invalid_argument(what + " is '" + name + "', expected one of" + expected);
 }

@@ -124,7 +124,7 @@ std::string to_text(const Evaluation& e) {
   } else {
     text += line("RPE", "none: no two poses are delta apart");
   }
-  text += "\n" + axis_rows(e.axes) + "\n";
+  text.append("\n").append(axis_rows(e.axes)).append("\n");
   if (e.kitti) text += line("KITTI segments", kitti_text(*e.kitti));
   text += line("alignment", alignment_text(e));
   text += line("RPE over", relative_text(e));
