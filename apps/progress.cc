@@ -15,8 +15,8 @@ double seconds_between(std::chrono::steady_clock::time_point a, std::chrono::ste
 
 }  // namespace
 
-Progress::Progress(std::string what, std::size_t total, bool quiet)
-    : what_(std::move(what)), total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {
+Progress::Progress(std::string what, std::size_t total, bool quiet, std::string things)
+    : what_(std::move(what)), things_(std::move(things)), total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {
   start_ = drawn_ = std::chrono::steady_clock::now();
 }
 
@@ -36,7 +36,7 @@ void Progress::advance() {
     draw_bar();
   } else if (100 * done_ >= static_cast<std::size_t>(next_percent_) * total_) {
     next_percent_ = static_cast<int>(100 * done_ / total_) / 10 * 10 + 10;
-    fmt::print(stderr, "{}: {} of {} frames, {:.1f} a second\n", what_, done_, total_, done_ / seconds());
+    fmt::print(stderr, "{}: {} of {} {}, {:.1f} a second\n", what_, done_, total_, things_, done_ / seconds());
   }
 }
 
@@ -44,8 +44,8 @@ void Progress::draw_bar() const {
   constexpr int kWidth = 30;
   const int filled = static_cast<int>(kWidth * done_ / total_);
   const double rate = done_ / seconds();
-  fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {}/{}  {:.1f} frames/s  {:.0f} s left ", what_, "", filled, "",
-             kWidth - filled, done_, total_, rate, (total_ - done_) / rate);
+  fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {}/{}  {:.1f} {}/s  {:.0f} s left ", what_, "", filled, "",
+             kWidth - filled, done_, total_, rate, things_, (total_ - done_) / rate);
   std::fflush(stderr);
 }
 

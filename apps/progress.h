@@ -12,7 +12,8 @@ namespace framewise::apps {
 // 10 %.
 class Progress {
  public:
-  Progress(std::string what, std::size_t total, bool quiet);
+  // things: what is counted.
+  Progress(std::string what, std::size_t total, bool quiet, std::string things = "frames");
   ~Progress();
 
   void advance();
@@ -21,7 +22,7 @@ class Progress {
  private:
   void draw_bar() const;
 
-  std::string what_;
+  std::string what_, things_;
   std::size_t total_, done_ = 0;
   int next_percent_ = 10;
   bool quiet_, terminal_;

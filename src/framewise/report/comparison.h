@@ -20,7 +20,7 @@ struct ComparedError {
   Spread rmse;                              // over the repeats
   std::optional<Interval> interval;         // of the median over the repeats, by bootstrap over the frames
   bool is_best = false;                     // the least median of the data set
-  std::optional<PairedDifference> to_best;  // frame by frame, this row's error - the best row's
+  std::optional<PairedDifference> to_best;  // this row's error - the best row's; unset: other frames
 };
 
 // What the frames of a row cost, on one core.

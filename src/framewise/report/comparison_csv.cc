@@ -63,7 +63,7 @@ void add_relative_error(CsvColumns& columns, const std::string& name, ComparedEr
   };
   const auto difference = [](std::function<std::string(const PairedDifference&)> text) {
     return [text](const ComparedError& e) {
-      return e.is_best ? "best" : e.to_best ? text(*e.to_best) : "no repeats shared";
+      return e.is_best ? "best" : e.to_best ? text(*e.to_best) : "other frames";
     };
   };
   add("ci95_low", bound(&Interval::low));

@@ -14,7 +14,8 @@ constexpr const char* kTooFewFrames = "fewer than 6 frames";
 std::string digits(double value) { return fmt::format("{:.4g}", value); }
 
 std::string digits(const Spread& s) {
-  if (s.count < 2) return digits(s.median);
+  const std::string median = digits(s.median);
+  if (digits(s.first_quartile) == median && digits(s.third_quartile) == median) return median;
   return fmt::format("{:.4g} [{:.4g}, {:.4g}]", s.median, s.first_quartile, s.third_quartile);
 }
 
@@ -151,7 +152,7 @@ Table errors_table(const Comparison& comparison, const ComparedDataset& dataset,
 void add_difference(const ComparisonRow& row, const ComparedError* error, Notes& notes,
                     std::vector<Table::Cell>& cells) {
   if (!error || (!error->is_best && !error->to_best)) {
-    cells.insert(cells.end(), 4, error ? Table::Cell("no repeats shared") : missing(row, notes));
+    cells.insert(cells.end(), 4, error ? Table::Cell("other frames") : missing(row, notes));
   } else if (error->is_best) {
     cells.insert(cells.end(), 4, Table::Cell("best", true));
   } else {
@@ -161,12 +162,18 @@ void add_difference(const ComparisonRow& row, const ComparedError* error, Notes&
   }
 }
 
+std::size_t count_comparisons(const Rows& rows) {
+  return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const ComparisonRow* row) {
+    return row->errors && row->errors->rpe_translation_mm.to_best;
+  }));
+}
+
 Table differences_table(const Comparison& comparison, const ComparedDataset& dataset, const Rows& rows) {
   Table table;
   table.caption = fmt::format(
       "Differences on {}: error minus that of the row with the least RMSE, frame by frame: their median, its 95 % "
-      "bootstrap interval, p by sign flips corrected for {} rows (Holm); real: p below {:g}.",
-      dataset.name, rows.size(), comparison.statistics.significance);
+      "bootstrap interval, p by sign flips corrected for {} comparisons (Holm); real: p below {:g}.",
+      dataset.name, count_comparisons(rows), comparison.statistics.significance);
   table.columns = {{"method", false}, {"features", false}, {"mm a frame"},  {"95 %"}, {"p"},
                    {"real", false},   {"deg a frame"},     {"95 %"}, {"p"},    {"real", false}};
   Notes notes;

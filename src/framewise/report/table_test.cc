@@ -30,11 +30,11 @@ TEST(TableText, IsCsvThatProgramsReadBack) {
 TEST(TableText, IsMarkdownWhoseColumnsStandUnderTheirHeadings) {
   EXPECT_EQ(to_markdown(small_table()),
             "Errors of a\\_b, 95 %\n\n"
-            "| method      |       ATE (m) |\n"
-            "|:------------|--------------:|\n"
-            "| S.E.nister  |      **0.12** |\n"
-            "| Kabsch & co | failed \\[1\\] |\n"
-            "\n- \\[1\\] exit code 2: a\\|b\n");
+            "| method      |    ATE (m) |\n"
+            "|:------------|-----------:|\n"
+            "| S.E.nister  |   **0.12** |\n"
+            "| Kabsch & co | failed [1] |\n"
+            "\n- [1] exit code 2: a\\|b\n");
 }
 
 TEST(TableText, IsLatexWithoutCommandsFromNames) {
@@ -59,8 +59,8 @@ TEST(TableText, EscapesEveryLetterThatLatexReads) {
 TEST(TableText, KeepsACellOnItsLine) {
   Table table;
   table.columns = {{"a", false}};
-  table.rows = {{"two\nlines | <script>"}};
-  EXPECT_THAT(to_markdown(table), HasSubstr("| two lines \\| \\<script\\> |"));
+  table.rows = {{"two\nlines | <script> [a](b)"}};
+  EXPECT_THAT(to_markdown(table), HasSubstr("| two lines \\| \\<script\\> [a\\](b) |"));
 }
 
 TEST(TableText, RefusesRowsOfAnotherLength) {
