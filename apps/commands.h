@@ -11,6 +11,7 @@ namespace framewise::apps {
 using Action = std::function<int()>;
 void add_run(CLI::App& program, Action& action);
 void add_evaluate(CLI::App& program, Action& action);
+void add_compare(CLI::App& program, Action& action);
 void add_relpose(CLI::App& program, Action& action);
 void add_simulate(CLI::App& program, Action& action);
 void add_flexion(CLI::App& program, Action& action);

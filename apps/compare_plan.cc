@@ -18,7 +18,8 @@ using Key = nlohmann::ordered_json;
 
 std::string as_folder_name(const std::string& name) {
   std::string plain;
-  for (const unsigned char c : name) plain += std::isalnum(c) || std::strchr("._-", c) ? static_cast<char>(c) : '_';
+  for (const unsigned char c : name)
+    plain += std::isalnum(c) || std::strchr("._-", c) ? static_cast<char>(c) : '_';
   return plain.empty() || plain[0] == '.' ? "_" + plain : plain;
 }
 
@@ -170,8 +171,8 @@ class Planner {
     archive.dataset = plan_.datasets.size() - 1;
     archive.is_given = dataset.recording.archive != nullptr;
     archive.job.key = {{"version", FRAMEWISE_VERSION}, {"dataset", dataset_key(dataset.recording)}};
-    const auto texts = archive.is_given ? dataset.recording.from.options
-                                        : correspondence_option_texts(method.odometry);
+    const auto texts =
+        archive.is_given ? dataset.recording.from.options : correspondence_option_texts(method.odometry);
     archive.job.key["options"] = texts;
     if (archive.is_given) {
       archive.file = dataset.recording.path;
@@ -191,10 +192,11 @@ class Planner {
 
   // With a solver that works on what the data set has, whatever the rows want: matches do not depend on it.
   std::vector<std::string> archive_arguments(const Recording& recording, const Method& method) const {
-    std::vector<std::string> arguments{"run", recording.path.string(), "--seed", std::to_string(options_.seed)};
+    std::vector<std::string> arguments{"run", recording.path.string(), "--seed",
+                                       std::to_string(options_.seed)};
     const bool depth = recording.from.frames_with_depth > 0;
-    arguments.insert(arguments.end(), {"--solver", depth ? "kabsch" : "nister-5pt", "--scale",
-                                       depth ? "depth" : "none"});
+    arguments.insert(arguments.end(),
+                     {"--solver", depth ? "kabsch" : "nister-5pt", "--scale", depth ? "depth" : "none"});
     const auto shaping = correspondence_option_texts(method.odometry);
     for (const auto& [name, value] : method.typed)
       if (shaping.contains(name)) arguments.push_back("--" + name + "=" + value);

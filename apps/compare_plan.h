@@ -29,8 +29,8 @@ struct PlannedDataset {
 
 struct PlannedArchive {
   std::size_t dataset = 0;
-  bool is_given = false;        // the data set is itself an archive
-  std::filesystem::path file;   // in the job's folder where it is not given
+  bool is_given = false;       // the data set is itself an archive
+  std::filesystem::path file;  // in the job's folder where it is not given
   PlannedJob job;
 };
 

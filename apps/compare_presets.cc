@@ -50,7 +50,8 @@ features:
 Grid grid_from_name(const std::string& name) {
   const std::map<std::string, const char*> presets = {
       {"frame-to-frame", kFrameToFrame}, {"lab", kLab}, {"dark", kDark}};
-  if (const auto preset = presets.find(name); preset != presets.end()) return parse_grid(preset->second, name);
+  if (const auto preset = presets.find(name); preset != presets.end())
+    return parse_grid(preset->second, name);
   return read_grid_file(name);
 }
 

@@ -50,7 +50,8 @@ void ChildProcesses::start(std::size_t id, const std::vector<std::string>& argum
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   const int file = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) throw std::runtime_error(errors.string() + ": cannot be written (" + std::strerror(errno) + ")");
+  if (file < 0)
+    throw std::runtime_error(errors.string() + ": cannot be written (" + std::strerror(errno) + ")");
   const pid_t parent = getpid(), pid = fork();
   if (pid == 0) become(argv.data(), file, before_, parent);
   close(file);

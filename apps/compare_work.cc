@@ -56,8 +56,9 @@ class Work {
       }
       const auto ended = children.wait();
       if (!ended)
-        throw std::runtime_error(fmt::format("stopped after {} of {} runs; the same command goes on from there",
-                                             outcomes_.size(), count_jobs(plan_)));
+        throw std::runtime_error(
+            fmt::format("stopped after {} of {} runs; the same command goes on from there", outcomes_.size(),
+                        count_jobs(plan_)));
       finish(*ended);
     }
     return std::move(outcomes_);
@@ -138,7 +139,8 @@ class Work {
     else if (ended.exit_code != 0)
       outcome.message = fmt::format("exit code {}: {}", ended.exit_code, last_line(errors, job, out_));
     // A run in which no motion could be measured (exit code 1) has written all matches all the same.
-    if (task.archive) outcome.is_whole = ended.signal == 0 && fs::exists(folder / task.archive->file.filename());
+    if (task.archive)
+      outcome.is_whole = ended.signal == 0 && fs::exists(folder / task.archive->file.filename());
 
     if (outcome.is_whole) {
       std::error_code ignored;

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   framewise::apps::Action action;
   framewise::apps::add_run(program, action);
   framewise::apps::add_evaluate(program, action);
+  framewise::apps::add_compare(program, action);
   framewise::apps::add_relpose(program, action);
   framewise::apps::add_simulate(program, action);
   framewise::apps::add_flexion(program, action);

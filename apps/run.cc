@@ -42,6 +42,7 @@ FrameLine line_of(const FrameResult& result) {
   line.world_from_cam = result.world_from_cam;
   line.load_ms = 1e3 * result.seconds.load;
   line.features_ms = 1e3 * result.seconds.features;
+  line.match_ms = 1e3 * result.seconds.match;
   line.step_ms = 1e3 * result.seconds.step;
   return line;
 }

@@ -79,6 +79,7 @@ Json run_record(const Recording& recording, const Json& options, const Tally& ta
           {"milliseconds_per_frame",
            {{"load", tally.seconds.load * per_frame_ms},
             {"features", tally.seconds.features * per_frame_ms},
+            {"match", tally.seconds.match * per_frame_ms},
             {"step", tally.seconds.step * per_frame_ms}}},
           {"evaluation", evaluation ? Json(to_json(*evaluation)) : Json(nullptr)}};
 }

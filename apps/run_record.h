@@ -29,6 +29,7 @@ struct Tally {
     ++by_status[static_cast<std::size_t>(result.step.status)];
     seconds.load += result.seconds.load;
     seconds.features += result.seconds.features;
+    seconds.match += result.seconds.match;
     seconds.step += result.seconds.step;
     iterations += result.step.iterations;
     iterations_theory += result.step.iterations_theory;

@@ -141,8 +141,7 @@ std::optional<Interval> bootstrap_interval(std::span<const double> series, const
   BlockSampler sampler(n, length, options.seed);
   std::vector<double> figures(static_cast<std::size_t>(options.resamples));
   for (double& value : figures) value = figure(sampler.draw());
-  const double tail =
-      expanded_tail(options.confidence, static_cast<double>(n) / static_cast<double>(length));
+  const double tail = expanded_tail(options.confidence, static_cast<double>(n) / static_cast<double>(length));
   return Interval{quantile(figures, tail), quantile(figures, 1 - tail)};
 }
 

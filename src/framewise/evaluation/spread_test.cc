@@ -29,7 +29,8 @@ TEST(Quantile, OfOneValueIsThatValue) {
 TEST(Quantile, RefusesNothingAndSharesOutsideZeroToOne) {
   const std::vector<double> values{1, 2};
   EXPECT_THROW(quantile({}, 0.5), std::invalid_argument);
-  for (const double p : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) EXPECT_THROW(quantile(values, p), std::invalid_argument);
+  for (const double p : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(quantile(values, p), std::invalid_argument);
 }
 
 TEST(SpreadOverRepeats, IsMedianAndQuartiles) {

@@ -45,7 +45,8 @@ class GridParser {
       add_methods("rows", row, name_in(row, "rows"));
     for (const YAML::Node& rule : list_of_maps(root, "exclude", "a rule such as {solver: eigensolver}"))
       exclude(rule);
-    for (const YAML::Node& row : list_of_maps(root, "features", "features such as {name: ORB, detector: orb}"))
+    for (const YAML::Node& row :
+         list_of_maps(root, "features", "features such as {name: ORB, detector: orb}"))
       grid_.features.push_back(plain_entry(row, "features", name_in(row, "features")));
     if (grid_.features.empty()) grid_.features.push_back({"default", {}, 0});
     if (grid_.methods.empty())
@@ -89,7 +90,8 @@ class GridParser {
       for (const auto& entry : values)
         axis.values.emplace_back(plain(entry.first, field), plain(entry.second, field));
     else if (values.IsSequence())
-      for (const YAML::Node& value : values) axis.values.emplace_back(plain(value, field), plain(value, field));
+      for (const YAML::Node& value : values)
+        axis.values.emplace_back(plain(value, field), plain(value, field));
     else
       axis.values.emplace_back("", plain(values, field));
     if (axis.values.empty()) refuse(values, field, "no values", "one or more");
@@ -149,7 +151,8 @@ class GridParser {
       return std::find(method.options.begin(), method.options.end(), option) != method.options.end();
     };
     const auto excluded = [&](const GridEntry& method) {
-      return std::all_of(wanted.begin(), wanted.end(), [&](const auto& option) { return has(method, option); });
+      return std::all_of(wanted.begin(), wanted.end(),
+                         [&](const auto& option) { return has(method, option); });
     };
     if (std::erase_if(grid_.methods, excluded) == 0)
       refuse(rule, "exclude", "a rule that no method meets", "values that a method has");

@@ -41,8 +41,8 @@ struct Grid {
 //     - {name: ORB, detector: orb, descriptor: orb}
 // A method's name is the row's name and the parts of its values, those that are not empty, joined by dots;
 // where there is neither, its values. Throws InputError naming the line, what was found and expected: for
-// keys that are not these, values that are no plain values, names that come twice, and a grid without methods.
-// Whether the options are options of `run` is the program's to say.
+// keys that are not these, values that are no plain values, names that come twice, and a grid without
+// methods. Whether the options are options of `run` is the program's to say.
 Grid read_grid_file(const std::filesystem::path& path);
 Grid parse_grid(std::string_view text, const std::filesystem::path& source);
 

@@ -28,7 +28,8 @@ axes:
   ransac: two-stage
 )",
                                "g.yaml");
-  EXPECT_THAT(names(grid.methods), ElementsAre("C.eigensolver", "C.nister-5pt", "S.eigensolver", "S.nister-5pt"));
+  EXPECT_THAT(names(grid.methods),
+              ElementsAre("C.eigensolver", "C.nister-5pt", "S.eigensolver", "S.nister-5pt"));
   EXPECT_THAT(grid.methods[2].options, ElementsAre(Pair("scale", "first-pair"), Pair("solver", "eigensolver"),
                                                    Pair("ransac", "two-stage")));
   EXPECT_THAT(names(grid.features), ElementsAre("default"));
@@ -93,9 +94,10 @@ TEST(GridFile, SaysInOneLineWhatIsWrong) {
   refused("rows: [{solver: a}]\nexclude: [{solver: b}]\n", {":2: exclude:", "no method meets"});
   refused("rows: [{solver: a}]\nexclude: [{solver: a}]\n", {"without methods"});
   refused("rows: [{solver: a}\n", {"YAML"});
-  refused("axes: {a: [1,2,3,4,5,6,7,8,9,10], b: [1,2,3,4,5,6,7,8,9,10], c: [1,2,3,4,5,6,7,8,9,10],"
-          " d: [1,2,3,4,5,6,7,8,9,10], e: [1,2]}\n",
-          {"more than 10000"});
+  refused(
+      "axes: {a: [1,2,3,4,5,6,7,8,9,10], b: [1,2,3,4,5,6,7,8,9,10], c: [1,2,3,4,5,6,7,8,9,10],"
+      " d: [1,2,3,4,5,6,7,8,9,10], e: [1,2]}\n",
+      {"more than 10000"});
 }
 
 TEST(GridFile, NeedsAFile) { EXPECT_THROW(read_grid_file("/nowhere/grid.yaml"), InputError); }

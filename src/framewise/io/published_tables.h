@@ -12,9 +12,9 @@ namespace framewise {
 // What others reported of a method on a recording, in the names of our options.
 struct PublishedFigures {
   std::string sequence;
-  std::string solver, scale, error;  // as --solver, --scale and --error have them
-  std::string features;              // detector and descriptor, in capitals
-  std::optional<double> ate;         // RMSE (m)
+  std::string solver, scale, error;                         // as --solver, --scale and --error have them
+  std::string features;                                     // detector and descriptor, in capitals
+  std::optional<double> ate;                                // RMSE (m)
   std::optional<double> rpe_translation, rpe_rotation_deg;  // RMSE (m, degrees)
   std::string outcome;                                      // ok, or why there are no figures
 };

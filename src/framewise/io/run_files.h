@@ -21,7 +21,7 @@ struct FrameLine {
   Pose cam1_from_cam2;  // the step: the newer camera seen from the older
   bool has_step = false;
   Pose world_from_cam;
-  double load_ms = 0, features_ms = 0, step_ms = 0;
+  double load_ms = 0, features_ms = 0, match_ms = 0, step_ms = 0;
 };
 
 // Writes trajectory.tum and frames.csv line by line, so that what was computed survives a failure.

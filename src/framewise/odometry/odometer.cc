@@ -154,8 +154,10 @@ class Odometer {
   void relate(Passage& passage) const {
     const double start = clock_();
     front_.correspond_with_previous(passage);
+    const double matched = clock_();
     if (passage.with_previous) passage.step = solve(*passage.with_previous, passage.index - 1, passage.index);
-    passage.seconds.step = clock_() - start;
+    passage.seconds.match = matched - start;
+    passage.seconds.step = clock_() - matched;
   }
 
   FrameResult join(Passage& passage) {

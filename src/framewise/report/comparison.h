@@ -54,7 +54,7 @@ struct ComparisonRow {
   std::string dataset, method, features;
   std::vector<std::pair<std::string, std::string>> options;  // of `run`, resolved
   std::size_t repeats = 0, failed = 0;
-  std::string failure;   // why the first repeat that failed did; empty where none did
+  std::string failure;    // why the first repeat that failed did; empty where none did
   std::string no_errors;  // why there are no errors, in a few words; empty where there are
   std::optional<ComparedErrors> errors;
   std::optional<Spread> measured;                        // share of the frames whose motion was measured

@@ -31,7 +31,7 @@ std::string option(const ComparisonRow& row, const std::string& name) {
 using SpreadOf = std::function<std::optional<Spread>(const ComparisonRow&)>;
 
 void add_spread(CsvColumns& columns, const std::string& name, const SpreadOf& of) {
-  const auto add = [&](const char* part, double Spread::* value) {
+  const auto add = [&](const char* part, double Spread::*value) {
     columns.push_back({name + "_" + part, [=](const ComparisonRow& row, const ComparedDataset&) {
                          const auto spread = of(row);
                          return spread ? full((*spread).*value) : reason(row);
@@ -42,14 +42,14 @@ void add_spread(CsvColumns& columns, const std::string& name, const SpreadOf& of
   add("q3", &Spread::third_quartile);
 }
 
-SpreadOf error_spread(Spread ComparedErrors::* member) {
+SpreadOf error_spread(Spread ComparedErrors::*member) {
   return [member](const ComparisonRow& row) {
     return row.errors ? std::optional((*row.errors).*member) : std::nullopt;
   };
 }
 
 // What the interval and the comparison with the best row say of a relative error.
-void add_relative_error(CsvColumns& columns, const std::string& name, ComparedError ComparedErrors::* member) {
+void add_relative_error(CsvColumns& columns, const std::string& name, ComparedError ComparedErrors::*member) {
   add_spread(columns, name, [member](const ComparisonRow& row) {
     return row.errors ? std::optional(((*row.errors).*member).rmse) : std::nullopt;
   });
@@ -58,8 +58,10 @@ void add_relative_error(CsvColumns& columns, const std::string& name, ComparedEr
                          return row.errors ? text((*row.errors).*member) : reason(row);
                        }});
   };
-  const auto bound = [](double Interval::* end) {
-    return [end](const ComparedError& e) { return e.interval ? full((*e.interval).*end) : "fewer than 6 frames"; };
+  const auto bound = [](double Interval::*end) {
+    return [end](const ComparedError& e) {
+      return e.interval ? full((*e.interval).*end) : "fewer than 6 frames";
+    };
   };
   const auto difference = [](std::function<std::string(const PairedDifference&)> text) {
     return [text](const ComparedError& e) {
@@ -101,11 +103,12 @@ void add_status_columns(CsvColumns& columns) {
                      }});
   add_spread(columns, "measured", [](const ComparisonRow& row) { return row.measured; });
   for (const char* status : {"ok", "low-parallax", "rotation-only", "predicted", "no-depth", "lost"})
-    columns.push_back({std::string("frames_") + status, [status](const ComparisonRow& row, const ComparedDataset&) {
-                         for (const auto& [name, frames] : row.statuses)
-                           if (name == status) return full(frames.median);
-                         return reason(row);
-                       }});
+    columns.push_back(
+        {std::string("frames_") + status, [status](const ComparisonRow& row, const ComparedDataset&) {
+           for (const auto& [name, frames] : row.statuses)
+             if (name == status) return full(frames.median);
+           return reason(row);
+         }});
   columns.push_back({"missing_pairs", [](const ComparisonRow& row, const ComparedDataset&) {
                        return row.missing_pairs ? full(row.missing_pairs->median) : reason(row);
                      }});
@@ -120,7 +123,7 @@ void add_truth_columns(CsvColumns& columns) {
   add_text("alignment", [](const ComparedErrors& e) { return e.alignment; });
   add_text("delta", [](const ComparedErrors& e) { return full(e.delta); });
   add_text("unit", [](const ComparedErrors& e) { return e.unit; });
-  const auto add = [&](const char* name, std::optional<double> ComparedDataset::* value) {
+  const auto add = [&](const char* name, std::optional<double> ComparedDataset::*value) {
     columns.push_back({name, [value](const ComparisonRow&, const ComparedDataset& dataset) {
                          return dataset.*value ? full(*(dataset.*value)) : "no truth";
                        }});
@@ -143,7 +146,7 @@ void add_time_columns(CsvColumns& columns) {
   add("features_ms", [](const ComparedTimes& t) { return t.features_ms; });
   add("match_ms", [](const ComparedTimes& t) { return t.match_ms; });
   add("solve_ms", [](const ComparedTimes& t) { return std::optional(t.solve_ms); });
-  const auto rate = [](double Interval::* end) {
+  const auto rate = [](double Interval::*end) {
     return [end](const ComparedTimes& t) {
       return t.frames_per_second ? std::optional((*t.frames_per_second).*end) : std::nullopt;
     };
@@ -154,7 +157,7 @@ void add_time_columns(CsvColumns& columns) {
 }
 
 void add_published_columns(CsvColumns& columns) {
-  const auto add = [&](const char* name, std::optional<double> PublishedResult::* value) {
+  const auto add = [&](const char* name, std::optional<double> PublishedResult::*value) {
     columns.push_back({name, [value](const ComparisonRow& row, const ComparedDataset&) {
                          if (!row.published) return std::string("not published");
                          const auto& number = (*row.published).*value;
@@ -177,9 +180,10 @@ CsvColumns all_columns(bool with_published) {
   add_truth_columns(columns);
   add_time_columns(columns);
   if (with_published) add_published_columns(columns);
-  columns.push_back({"reason", [](const ComparisonRow& row, const ComparedDataset&) {
-                       return !row.failure.empty() ? row.failure : row.no_errors.empty() ? "ok" : row.no_errors;
-                     }});
+  columns.push_back(
+      {"reason", [](const ComparisonRow& row, const ComparedDataset&) {
+         return !row.failure.empty() ? row.failure : row.no_errors.empty() ? "ok" : row.no_errors;
+       }});
   return columns;
 }
 

@@ -26,8 +26,12 @@ Object json_of(const std::optional<T>& value) {
 }
 
 Object json_of(const PairedDifference& d) {
-  return {{"median", d.median}, {"interval", json_of(d.interval)}, {"p", d.p},
-          {"p_holm", d.p_holm}, {"real", d.is_real},               {"frames", d.frames},
+  return {{"median", d.median},
+          {"interval", json_of(d.interval)},
+          {"p", d.p},
+          {"p_holm", d.p_holm},
+          {"real", d.is_real},
+          {"frames", d.frames},
           {"flip_block", d.block_length}};
 }
 

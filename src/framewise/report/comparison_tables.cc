@@ -118,12 +118,14 @@ void add_published(const ComparisonRow& row, std::vector<Table::Cell>& cells) {
 Table errors_table(const Comparison& comparison, const ComparedDataset& dataset, const Rows& rows) {
   Table table;
   table.caption = fmt::format(
-      "Errors on {}. RMSE, {}; alignment {}; {}; {}. 95 %: bootstrap interval over frames. Bold: the least of the "
+      "Errors on {}. RMSE, {}; alignment {}; {}; {}. 95 %: bootstrap interval over frames. Bold: the least "
+      "of the "
       "data set; =: not told apart from it.",
       dataset.name, repeat_words(comparison), alignment_words(rows), relative_words(rows),
       truth_words(dataset));
-  table.columns = {{"method", false}, {"features", false}, {"ATE (m)"},  {"RPE (mm)"},       {"95 %"},
-                   {"RPE (deg)"},     {"95 %"},            {"direction"}, {"coverage"}, {"measured"}, {"failed"}};
+  table.columns = {{"method", false}, {"features", false}, {"ATE (m)"}, {"RPE (mm)"},
+                   {"95 %"},          {"RPE (deg)"},       {"95 %"},    {"direction"},
+                   {"coverage"},      {"measured"},        {"failed"}};
   const bool published = has_published(rows);
   if (published)
     for (const char* name : {"published ATE (m)", "published RPE (mm)", "published RPE (deg)"})
@@ -132,10 +134,10 @@ Table errors_table(const Comparison& comparison, const ComparedDataset& dataset,
   for (const ComparisonRow* row : rows) {
     std::vector<Table::Cell> cells{row->method, row->features};
     if (const auto& e = row->errors) {
-      cells.insert(cells.end(), {digits(e->ate), error_cell(e->rpe_translation_mm),
-                                 digits(e->rpe_translation_mm.interval), error_cell(e->rpe_rotation_deg),
-                                 digits(e->rpe_rotation_deg.interval), digits(e->direction),
-                                 digits(e->coverage)});
+      cells.insert(cells.end(),
+                   {digits(e->ate), error_cell(e->rpe_translation_mm), digits(e->rpe_translation_mm.interval),
+                    error_cell(e->rpe_rotation_deg), digits(e->rpe_rotation_deg.interval),
+                    digits(e->direction), digits(e->coverage)});
     } else {
       cells.insert(cells.end(), 7, missing(*row, notes));
     }
@@ -171,11 +173,12 @@ std::size_t count_comparisons(const Rows& rows) {
 Table differences_table(const Comparison& comparison, const ComparedDataset& dataset, const Rows& rows) {
   Table table;
   table.caption = fmt::format(
-      "Differences on {}: error minus that of the row with the least RMSE, frame by frame: their median, its 95 % "
+      "Differences on {}: error minus that of the row with the least RMSE, frame by frame: their median, its "
+      "95 % "
       "bootstrap interval, p by sign flips corrected for {} comparisons (Holm); real: p below {:g}.",
       dataset.name, count_comparisons(rows), comparison.statistics.significance);
-  table.columns = {{"method", false}, {"features", false}, {"mm a frame"},  {"95 %"}, {"p"},
-                   {"real", false},   {"deg a frame"},     {"95 %"}, {"p"},    {"real", false}};
+  table.columns = {{"method", false}, {"features", false}, {"mm a frame"}, {"95 %"}, {"p"},
+                   {"real", false},   {"deg a frame"},     {"95 %"},       {"p"},    {"real", false}};
   Notes notes;
   for (const ComparisonRow* row : rows) {
     std::vector<Table::Cell> cells{row->method, row->features};
@@ -190,17 +193,19 @@ Table differences_table(const Comparison& comparison, const ComparedDataset& dat
 Table times_table(const ComparedDataset& dataset, const Rows& rows) {
   Table table;
   table.caption = fmt::format(
-      "Times on {}: milliseconds a frame on one core, means; features and matches were found once for all rows. "
+      "Times on {}: milliseconds a frame on one core, means; features and matches were found once for all "
+      "rows. "
       "Frames a second without loading: the slowest frame, all frames, the fastest.",
       dataset.name);
-  table.columns = {{"method", false}, {"features", false}, {"load"}, {"features"}, {"match"}, {"solve"},
-                   {"frames/s min"},  {"mean"},            {"max"}};
+  table.columns = {{"method", false}, {"features", false}, {"load"}, {"features"}, {"match"},
+                   {"solve"},         {"frames/s min"},    {"mean"}, {"max"}};
   Notes notes;
   for (const ComparisonRow* row : rows) {
     std::vector<Table::Cell> cells{row->method, row->features};
     if (const auto& t = row->times) {
       const std::string none = "archive given";
-      for (const auto& value : {t->load_ms, t->features_ms, t->match_ms}) cells.push_back(digits(value, none));
+      for (const auto& value : {t->load_ms, t->features_ms, t->match_ms})
+        cells.push_back(digits(value, none));
       cells.push_back(digits(t->solve_ms));
       const auto& rate = t->frames_per_second;
       cells.push_back(rate ? digits(rate->low) : none);
@@ -236,7 +241,8 @@ std::string comparison_markdown(const Comparison& comparison) {
 
 std::string comparison_latex(const Comparison& comparison) {
   std::string text;
-  for (const Table& table : comparison_tables(comparison)) text += (text.empty() ? "" : "\n") + to_latex(table);
+  for (const Table& table : comparison_tables(comparison))
+    text += (text.empty() ? "" : "\n") + to_latex(table);
   return text;
 }
 

@@ -30,8 +30,14 @@ ComparisonRow good_row(const std::string& method, double rmse, bool best) {
   row.options = {{"solver", "kabsch"}, {"rotation", ""}};
   row.repeats = 5;
   const Spread one{1, 1, 1, 5};
-  row.errors = ComparedErrors{"se3", 1, "frames", {0.125, 0.1, 0.15, 5}, {0.4, 0.4, 0.4, 5}, one,
-                              error(rmse, best), error(2 * rmse, best)};
+  row.errors = ComparedErrors{"se3",
+                              1,
+                              "frames",
+                              {0.125, 0.1, 0.15, 5},
+                              {0.4, 0.4, 0.4, 5},
+                              one,
+                              error(rmse, best),
+                              error(2 * rmse, best)};
   row.measured = one;
   for (const char* status : {"ok", "low-parallax", "rotation-only", "predicted", "no-depth", "lost"})
     row.statuses.emplace_back(status, Spread{10, 10, 10, 5});
@@ -69,8 +75,9 @@ std::size_t lines(const std::string& text) {
 TEST(ComparisonTables, SayWhatAFigureIsWorthNothingWithout) {
   const std::string text = comparison_markdown(three_rows());
   for (const char* words :
-       {"Comparison: lab", "alignment se3", "RPE over delta 1 frames", "truth for 80 of 80 frames, 3.25 m long",
-        "a camera that never moved: ATE 0.5 m, RPE 12 mm and 2 deg", "over 5 seeds", "Holm"})
+       {"Comparison: lab", "alignment se3", "RPE over delta 1 frames",
+        "truth for 80 of 80 frames, 3.25 m long", "a camera that never moved: ATE 0.5 m, RPE 12 mm and 2 deg",
+        "over 5 seeds", "Holm"})
     EXPECT_THAT(text, HasSubstr(words));
 }
 

@@ -34,7 +34,8 @@ std::string markdown_text(const std::string& text) {
   std::string escaped;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    const bool ends_link = c == ']' && i + 1 < text.size() && std::string_view("([:").find(text[i + 1]) != std::string_view::npos;
+    const bool ends_link = c == ']' && i + 1 < text.size() &&
+                           std::string_view("([:").find(text[i + 1]) != std::string_view::npos;
     if (ends_link || std::string_view("\\`*_|<>").find(c) != std::string_view::npos) escaped += '\\';
     escaped += c == '\n' || c == '\r' ? ' ' : c;
   }
@@ -101,7 +102,8 @@ std::string to_markdown(const Table& table) {
   for (const auto& line : lines)
     for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
 
-  std::string text = markdown_text(table.caption) + "\n\n" + markdown_line(lines[0], widths, table.columns) + "|";
+  std::string text =
+      markdown_text(table.caption) + "\n\n" + markdown_line(lines[0], widths, table.columns) + "|";
   for (std::size_t i = 0; i < widths.size(); ++i)
     text += table.columns[i].is_number ? std::string(widths[i] + 1, '-') + ":|"
                                        : ":" + std::string(widths[i] + 1, '-') + "|";
@@ -114,9 +116,10 @@ std::string to_markdown(const Table& table) {
 
 std::string to_latex(const Table& table) {
   check(table);
-  std::string text = "% " + latex_text(table.caption) + "\n\\begin{tabular}{" +
-                     joined(table.columns, "", [](const auto& c) { return std::string(c.is_number ? "r" : "l"); }) +
-                     "}\n\\hline\n";
+  std::string text =
+      "% " + latex_text(table.caption) + "\n\\begin{tabular}{" +
+      joined(table.columns, "", [](const auto& c) { return std::string(c.is_number ? "r" : "l"); }) +
+      "}\n\\hline\n";
   const auto heading = [](const auto& column) { return latex_text(column.heading); };
   const auto value = [](const Table::Cell& cell) {
     return cell.bold ? "\\textbf{" + latex_text(cell.text) + "}" : latex_text(cell.text);

@@ -24,7 +24,8 @@ TEST(TableText, IsCsvThatProgramsReadBack) {
   Table table = small_table();
   table.rows.push_back({"with, comma", "a \"quote\"\nand a line"});
   EXPECT_EQ(to_csv(table),
-            "method,ATE (m)\nS.E.nister,0.12\nKabsch & co,failed [1]\n\"with, comma\",\"a \"\"quote\"\"\nand a line\"\n");
+            "method,ATE (m)\nS.E.nister,0.12\nKabsch & co,failed [1]\n\"with, comma\",\"a \"\"quote\"\"\nand "
+            "a line\"\n");
 }
 
 TEST(TableText, IsMarkdownWhoseColumnsStandUnderTheirHeadings) {
@@ -52,8 +53,7 @@ TEST(TableText, EscapesEveryLetterThatLatexReads) {
   table.rows = {{"$a_1^2 {#} ~ 50% <b>"}};
   const std::string text = to_latex(table);
   EXPECT_THAT(text, HasSubstr("\\textbackslash{}input\\{x\\}"));
-  EXPECT_THAT(text,
-              HasSubstr("\\$a\\_1\\textasciicircum{}2 \\{\\#\\} \\textasciitilde{} 50\\% $<$b$>$"));
+  EXPECT_THAT(text, HasSubstr("\\$a\\_1\\textasciicircum{}2 \\{\\#\\} \\textasciitilde{} 50\\% $<$b$>$"));
 }
 
 TEST(TableText, KeepsACellOnItsLine) {
