@@ -27,18 +27,20 @@ features:
 // A laboratory's four estimators with and without RANSAC, their steps scaled by the true length.
 constexpr const char* kLab = R"(
 rows:
-  - {name: 5-point, solver: nister-5pt, scale: truth, ransac: {RANSAC: on, all: off}}
-  - {name: 8-point, solver: eight-point, scale: truth, ransac: {RANSAC: on, all: off}}
-  - {name: 2-point, solver: two-point, rotation: truth, scale: truth, ransac: {RANSAC: on, all: off}}
-  - {name: Arun, solver: kabsch, ransac: {RANSAC: on, all: off}}
+  - {name: 5-point, solver: nister-5pt, scale: truth, ransac: {RANSAC: on, no RANSAC: off}}
+  - {name: 8-point, solver: eight-point, scale: truth, ransac: {RANSAC: on, no RANSAC: off}}
+  - {name: 2-point, solver: two-point, rotation: truth, scale: truth, ransac: {RANSAC: on, no RANSAC: off}}
+  - {name: Arun, solver: kabsch, max-error-m: 0.1, ransac: {RANSAC: on, no RANSAC: off}}
 features:
   - {name: SIFT, detector: sift, descriptor: sift, matcher: flann}
 )";
 
-// Features where there is no light: in depth images and in flexion images.
+// Features where there is no light: in depth images and in flexion images, first as they were published, then
+// with holes filled and surfaces smoothed.
 constexpr const char* kDark = R"(
 rows:
-  - {solver: kabsch, input: {depth: depth, flexion: flexion}}
+  - solver: kabsch
+    input: {depth as it is: depth-raw, flexion as published: flexion-published, depth: depth, flexion: flexion, normal: normal}
 features:
   - {name: SIFT, detector: sift, descriptor: sift}
   - {name: AKAZE, detector: akaze, descriptor: akaze}
