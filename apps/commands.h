@@ -15,5 +15,6 @@ void add_compare(CLI::App& program, Action& action);
 void add_relpose(CLI::App& program, Action& action);
 void add_simulate(CLI::App& program, Action& action);
 void add_flexion(CLI::App& program, Action& action);
+void add_inspect(CLI::App& program, Action& action);
 
 }  // namespace framewise::apps

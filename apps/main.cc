@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   framewise::apps::add_relpose(program, action);
   framewise::apps::add_simulate(program, action);
   framewise::apps::add_flexion(program, action);
+  framewise::apps::add_inspect(program, action);
   program.footer("framewise COMMAND --help explains a command and gives examples.");
 
   try {

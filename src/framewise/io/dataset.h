@@ -56,6 +56,7 @@ struct Dataset {
   std::size_t unmatched_depth = 0;  // depth images that belong to no frame
   Trajectory truth;                 // world_from_cam of the calibration's camera; empty where there is none
   std::string truth_source;
+  double truth_norm_error = 0;  // largest distance of a quaternion's length from 1 in that file
   Gyroscope gyroscope;      // empty where there is none
   std::string fingerprint;  // of the lists and the files' sizes, 16 hexadecimal digits
 

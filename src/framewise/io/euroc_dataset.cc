@@ -93,7 +93,9 @@ void read_euroc_truth(Dataset& dataset, const fs::path& sensors, const Pose& bod
   const fs::path sensor = first_existing(sensors, {"state_groundtruth_estimate0", "mocap0", "vicon0"});
   const fs::path file = sensor / "data.csv";
   if (sensor.empty() || !fs::exists(file)) return;
-  dataset.truth = read_trajectory(file, TrajectoryFormat::kEuroc).trajectory;
+  const TrajectoryFile read = read_trajectory(file, TrajectoryFormat::kEuroc);
+  dataset.truth = read.trajectory;
+  dataset.truth_norm_error = read.norm_error;
   dataset.truth_source = sensor.filename().string();
   check_truth(file, dataset.truth, dataset.frames);
   const Pose sensor_from_cam = body_from_sensor(sensor).inverse() * body_from_cam;

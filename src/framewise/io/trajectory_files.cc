@@ -20,14 +20,20 @@ namespace {
 struct TimedPose {
   double time;
   Pose pose;
+  double norm_error = 0;  // of its quaternion
 };
+
+TimedPose timed_pose(const NumberRows& rows, const NumberRow& row, double time, const Eigen::Vector3d& t,
+                     const Eigen::Quaterniond& q) {
+  return {time, pose_of_quaternion(rows, row, t, q), std::abs(q.norm() - 1)};
+}
 
 TimedPose tum_pose(const NumberRows& rows, const NumberRow& row) {
   static const std::array<std::string, 8> names = {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
   rows.expect_columns(row, row.fields.size() == 8, "8 (timestamp tx ty tz qx qy qz qw)");
   std::array<double, 8> v;
   for (std::size_t i = 0; i < v.size(); ++i) v[i] = rows.number(row, i, names[i]);
-  return {v[0], pose_of_quaternion(rows, row, {v[1], v[2], v[3]}, {v[7], v[4], v[5], v[6]})};
+  return timed_pose(rows, row, v[0], {v[1], v[2], v[3]}, {v[7], v[4], v[5], v[6]});
 }
 
 TimedPose euroc_pose(const NumberRows& rows, const NumberRow& row) {
@@ -35,7 +41,7 @@ TimedPose euroc_pose(const NumberRows& rows, const NumberRow& row) {
   rows.expect_columns(row, row.fields.size() >= 8, "8 or more (timestamp, x, y, z, qw, qx, qy, qz, ...)");
   std::array<double, 8> v;
   for (std::size_t i = 0; i < v.size(); ++i) v[i] = rows.number(row, i, names[i]);
-  return {v[0] / 1e9, pose_of_quaternion(rows, row, {v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]})};
+  return timed_pose(rows, row, v[0] / 1e9, {v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]});
 }
 
 Pose kitti_pose(const NumberRows& rows, const NumberRow& row) {
@@ -80,6 +86,7 @@ void expect_seconds(const std::filesystem::path& path, const Trajectory& traject
 void append(const std::filesystem::path& path, std::size_t line, const TimedPose& timed,
             TrajectoryFile& file) {
   Trajectory& trajectory = file.trajectory;
+  file.norm_error = std::max(file.norm_error, timed.norm_error);
   if (!trajectory.empty() && timed.time < trajectory.times.back())
     throw InputError(path, line, "timestamp",
                      shortest_text(timed.time) + " after " + shortest_text(trajectory.times.back()),

@@ -125,7 +125,9 @@ void read_tum_frames(Dataset& dataset, double max_time_difference) {
 
 void read_tum_truth(Dataset& dataset, const fs::path& file) {
   if (file.empty() || !fs::exists(file)) return;
-  dataset.truth = read_trajectory(file, TrajectoryFormat::kTum).trajectory;
+  const TrajectoryFile read = read_trajectory(file, TrajectoryFormat::kTum);
+  dataset.truth = read.trajectory;
+  dataset.truth_norm_error = read.norm_error;
   dataset.truth_source = file.filename().string();
   check_truth(file, dataset.truth, dataset.frames);
 }
