@@ -16,7 +16,11 @@ double seconds_between(std::chrono::steady_clock::time_point a, std::chrono::ste
 }  // namespace
 
 Progress::Progress(std::string what, std::size_t total, bool quiet, std::string things)
-    : what_(std::move(what)), things_(std::move(things)), total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {
+    : what_(std::move(what)),
+      things_(std::move(things)),
+      total_(total),
+      quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO)) {
   start_ = drawn_ = std::chrono::steady_clock::now();
 }
 
@@ -36,7 +40,8 @@ void Progress::advance() {
     draw_bar();
   } else if (100 * done_ >= static_cast<std::size_t>(next_percent_) * total_) {
     next_percent_ = static_cast<int>(100 * done_ / total_) / 10 * 10 + 10;
-    fmt::print(stderr, "{}: {} of {} {}, {:.1f} a second\n", what_, done_, total_, things_, done_ / seconds());
+    fmt::print(stderr, "{}: {} of {} {}, {:.1f} a second\n", what_, done_, total_, things_,
+               done_ / seconds());
   }
 }
 

@@ -36,8 +36,8 @@ void add_dataset_options(CLI::App& app, DatasetOptions& options);
 // The options above as run.json writes them down.
 nlohmann::ordered_json dataset_options_json(const DatasetOptions& options);
 
-// The truth of a data set, which needs neither images nor a calibration that is known. Throws InputError where
-// there is none.
+// The truth of a data set, which needs neither images nor a calibration that is known. Throws InputError
+// where there is none.
 Trajectory read_truth(const std::filesystem::path& path, DatasetOptions options);
 
 // An HDF5 file is an archive, anything else a data set. Throws InputError.

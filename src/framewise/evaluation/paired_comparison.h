@@ -31,8 +31,9 @@ struct PairedDifference {
 
 // p by sign flips: were the methods equal, each difference could as well have the other sign. Successive
 // frames that depend on each other are flipped together, in blocks twice as long as the differences remember
-// (dependence_length), since a flip cuts what crosses a block's end. p counts the observed sign as one of the
-// flips (Phipson and Smyth, Permutation P-values Should Never Be Zero, SAGMB 2010); sign-flip tests:
+// (dependence_length), since a flip cuts what crosses a block's end; but in twelve blocks at least, so that p
+// is too small where they remember more than a twentieth of the recording. p counts the observed sign as one
+// of the flips (Phipson and Smyth, Permutation P-values Should Never Be Zero, SAGMB 2010); sign-flip tests:
 // Fisher, The Design of Experiments, 1935. Throws std::invalid_argument for no differences and for one that
 // is not finite.
 PairedDifference paired_difference(std::span<const double> differences, const PairedOptions& options = {});

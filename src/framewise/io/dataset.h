@@ -57,8 +57,8 @@ struct Dataset {
   Trajectory truth;                 // world_from_cam of the calibration's camera; empty where there is none
   std::string truth_source;
   double truth_norm_error = 0;  // largest distance of a quaternion's length from 1 in that file
-  Gyroscope gyroscope;      // empty where there is none
-  std::string fingerprint;  // of the lists and the files' sizes, 16 hexadecimal digits
+  Gyroscope gyroscope;          // empty where there is none
+  std::string fingerprint;      // of the lists and the files' sizes, 16 hexadecimal digits
 
   std::shared_ptr<const DepthRegistration> registration;  // where calibration.depth_camera is
   std::shared_ptr<VideoFile> video;                       // where the frames are a video's

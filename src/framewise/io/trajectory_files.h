@@ -21,7 +21,7 @@ struct TrajectoryFile {
   TrajectoryFormat format = TrajectoryFormat::kTum;
   bool has_times = true;  // false: KITTI without stamps; times are then 0, 1, 2, ... (frames, not seconds)
   std::size_t repeated =
-      0;  // poses left out since their stamp is that of the one before (motion capture does)
+      0;                  // poses left out since their stamp is that of the one before (motion capture does)
   double norm_error = 0;  // largest distance of a quaternion's length from 1, before it was made 1
 };
 

@@ -142,8 +142,8 @@ Table errors_table(const Comparison& comparison, const ComparedDataset& dataset,
       cells.insert(cells.end(), 7, missing(*row, notes));
     }
     cells.push_back(row->measured ? digits(*row->measured) : missing(*row, notes));
-    cells.push_back(fmt::format("{} of {}", row->failed, row->repeats) +
-                    (row->failed > 0 ? " " + notes.mark(row->failure) : ""));
+    cells.push_back(fmt::format("{} of {}", row->failed, row->repeats));
+    if (row->failed > 0) cells.back().append(" ").append(notes.mark(row->failure));
     if (published) add_published(*row, cells);
     table.rows.push_back(std::move(cells));
   }
@@ -235,14 +235,14 @@ std::vector<Table> comparison_tables(const Comparison& comparison) {
 
 std::string comparison_markdown(const Comparison& comparison) {
   std::string text = fmt::format("# Comparison: {}\n", comparison.grid);
-  for (const Table& table : comparison_tables(comparison)) text += "\n" + to_markdown(table);
+  for (const Table& table : comparison_tables(comparison)) text.append("\n").append(to_markdown(table));
   return text;
 }
 
 std::string comparison_latex(const Comparison& comparison) {
   std::string text;
   for (const Table& table : comparison_tables(comparison))
-    text += (text.empty() ? "" : "\n") + to_latex(table);
+    text.append(text.empty() ? "" : "\n").append(to_latex(table));
   return text;
 }
 

@@ -72,7 +72,7 @@ std::string markdown_line(const std::vector<std::string>& cells, const std::vect
   std::string line = "|";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::string gap(widths[i] - width(cells[i]), ' ');
-    line += " " + (columns[i].is_number ? gap + cells[i] : cells[i] + gap) + " |";
+    line.append(" ").append(columns[i].is_number ? gap + cells[i] : cells[i] + gap).append(" |");
   }
   return line + "\n";
 }
@@ -105,8 +105,9 @@ std::string to_markdown(const Table& table) {
   std::string text =
       markdown_text(table.caption) + "\n\n" + markdown_line(lines[0], widths, table.columns) + "|";
   for (std::size_t i = 0; i < widths.size(); ++i)
-    text += table.columns[i].is_number ? std::string(widths[i] + 1, '-') + ":|"
-                                       : ":" + std::string(widths[i] + 1, '-') + "|";
+    text.append(table.columns[i].is_number ? "" : ":")
+        .append(widths[i] + 1, '-')
+        .append(table.columns[i].is_number ? ":|" : "|");
   text += "\n";
   for (std::size_t i = 1; i < lines.size(); ++i) text += markdown_line(lines[i], widths, table.columns);
   if (!table.notes.empty()) text += "\n";
