@@ -23,16 +23,16 @@ Eigen::Vector3d mean(const std::vector<Eigen::Vector3d>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-struct Spread {
+struct Moments {
   Eigen::Vector3d mean_reference, mean_estimate;
   Eigen::Matrix3d covariance;  // of the reference with the estimate
   double variance_estimate;
   Eigen::Matrix3d turn;  // sum of R_reference R_estimate', the orientations' vote on the rotation
 };
 
-Spread spread(const TrajectoryPair& matched, std::size_t count) {
+Moments moments_of(const TrajectoryPair& matched, std::size_t count) {
   const auto reference = positions(matched.reference, count), estimate = positions(matched.estimate, count);
-  Spread s{mean(reference), mean(estimate), Eigen::Matrix3d::Zero(), 0, Eigen::Matrix3d::Zero()};
+  Moments s{mean(reference), mean(estimate), Eigen::Matrix3d::Zero(), 0, Eigen::Matrix3d::Zero()};
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector3d d = estimate[i] - s.mean_estimate;
     s.covariance += (reference[i] - s.mean_reference) * d.transpose() / static_cast<double>(count);
@@ -44,7 +44,7 @@ Spread spread(const TrajectoryPair& matched, std::size_t count) {
 
 // The positions' rotation; where they leave it free, the orientations decide among the best. Their weight is
 // small enough not to move what the positions say, and large enough to be seen by a double.
-Eigen::Matrix3d rotation_of_positions(const TrajectoryPair& matched, std::size_t count, const Spread& s) {
+Eigen::Matrix3d rotation_of_positions(const TrajectoryPair& matched, std::size_t count, const Moments& s) {
   if (const auto fit = kabsch(positions(matched.estimate, count), positions(matched.reference, count)))
     return fit->R;
   const double size = s.covariance.norm();
@@ -52,7 +52,7 @@ Eigen::Matrix3d rotation_of_positions(const TrajectoryPair& matched, std::size_t
 }
 
 // Rotation about z that maximises trace(R' covariance).
-Eigen::Matrix3d yaw_of_positions(const Spread& s) {
+Eigen::Matrix3d yaw_of_positions(const Moments& s) {
   const auto angle_of = [](const Eigen::Matrix3d& M) {
     return std::atan2(M(1, 0) - M(0, 1), M(0, 0) + M(1, 1));
   };
@@ -60,7 +60,7 @@ Eigen::Matrix3d yaw_of_positions(const Spread& s) {
   return so3_exp({0, 0, angle_of(free ? s.turn : s.covariance)});
 }
 
-double scale_of_positions(const Spread& s, const Eigen::Matrix3d& R) {
+double scale_of_positions(const Moments& s, const Eigen::Matrix3d& R) {
   if (!(std::sqrt(s.variance_estimate) > 1e-12 * (1 + s.mean_estimate.norm())))
     throw std::invalid_argument(
         "alignment: the estimate never moves, so its scale cannot be found; use se3 or none");
@@ -76,7 +76,7 @@ Similarity align(const TrajectoryPair& matched, Alignment alignment, std::size_t
     return {1, matched.reference.world_from_cam[0] * matched.estimate.world_from_cam[0].inverse()};
 
   count = count == 0 ? matched.size() : std::min(count, matched.size());
-  const Spread s = spread(matched, count);
+  const Moments s = moments_of(matched, count);
   const Eigen::Matrix3d R =
       alignment == Alignment::kYaw ? yaw_of_positions(s) : rotation_of_positions(matched, count, s);
   const bool scaled = alignment == Alignment::kSim3 || alignment == Alignment::kScale;

@@ -142,8 +142,9 @@ Table errors_table(const Comparison& comparison, const ComparedDataset& dataset,
       cells.insert(cells.end(), 7, missing(*row, notes));
     }
     cells.push_back(row->measured ? digits(*row->measured) : missing(*row, notes));
-    cells.push_back(fmt::format("{} of {}", row->failed, row->repeats));
-    if (row->failed > 0) cells.back().append(" ").append(notes.mark(row->failure));
+    std::string failed = fmt::format("{} of {}", row->failed, row->repeats);
+    if (row->failed > 0) failed.append(" ").append(notes.mark(row->failure));
+    cells.push_back(std::move(failed));
     if (published) add_published(*row, cells);
     table.rows.push_back(std::move(cells));
   }
