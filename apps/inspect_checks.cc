@@ -21,13 +21,26 @@ Check fine(const char* name, std::string text) { return {name, Verdict::kFine, s
 Check warning(const char* name, std::string text) { return {name, Verdict::kWarning, std::move(text)}; }
 Check untold(const char* name, std::string text) { return {name, Verdict::kUntold, std::move(text)}; }
 
+Check nothing(const char* name, std::string text) {
+  return {name, Verdict::kNothingToCheck, std::move(text)};
+}
+
+// Depth and truth agree on the length of a step, or disagree all alike: a camera that hardly moves has
+// neither.
+std::optional<double> length_ratio(std::vector<double> ratios) {
+  if (ratios.size() < 5) return std::nullopt;
+  const double middle = median(ratios);
+  for (double& ratio : ratios) ratio = std::abs(ratio - middle);
+  return median(ratios) < 0.15 * middle ? std::optional(middle) : std::nullopt;
+}
+
 double share(std::size_t part, std::size_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
 Check check_time_unit(const Inspection& x) {
   const char* name = "time-unit";
-  if (x.dataset.frames.size() < 2) return untold(name, "a single frame has no rate");
+  if (x.dataset.frames.size() < 2) return nothing(name, "a single frame has no rate");
   for (const auto& [rate, what] :
        {std::pair(&x.frames, "frames"), std::pair(&x.truth_poses, "poses of the truth")})
     if (!rate->is_plausible())
@@ -51,7 +64,7 @@ Check check_lists(const Inspection& x) {
   const char* name = "lists-match";
   const Dataset& d = x.dataset;
   const std::size_t depths = d.frames_with_depth + d.unmatched_depth;
-  if (d.frames_with_color == 0 || depths == 0) return untold(name, "there are no two lists to match");
+  if (d.frames_with_color == 0 || depths == 0) return nothing(name, "there are no two lists to match");
   const std::size_t without = d.frames.size() - d.frames_with_depth;
   const std::string text = fmt::format("{} of {} frames have depth, {} of {} depth images have a frame",
                                        d.frames_with_depth, d.frames.size(), d.frames_with_depth, depths);
@@ -62,7 +75,7 @@ Check check_lists(const Inspection& x) {
 Check check_in_step(const Inspection& x) {
   const char* name = "in-step";
   if (x.dataset.frames_with_color == 0 || x.dataset.frames_with_depth == 0)
-    return untold(name, "there are not both colour and depth");
+    return nothing(name, "there are not both colour and depth");
   const std::string text = fmt::format(
       "{} of {} frames have depth that was taken more than {:.0f} ms before or after (median {:.1f} ms)",
       x.out_of_step, x.dataset.frames_with_depth, 1e3 * kInStep, 1e3 * x.median_delay);
@@ -71,7 +84,7 @@ Check check_in_step(const Inspection& x) {
 
 Check check_depth_unit(const Inspection& x) {
   const char* name = "depth-factor";
-  if (!x.images.depth) return untold(name, "there is no depth");
+  if (!x.images.depth) return nothing(name, "there is no depth");
   const double z = x.images.depth->median();
   if (!std::isfinite(z))
     return warning(name,
@@ -82,9 +95,10 @@ Check check_depth_unit(const Inspection& x) {
         name,
         fmt::format("the median depth is {:.3g} m with {} raw units in a metre: another --depth-factor?", z,
                     factor));
-  if (x.images.length_ratios.size() < 3) return fine(name, fmt::format("the median depth is {:.3g} m", z));
-  const double ratio = median(x.images.length_ratios);
-  if (ratio < 0.75 || ratio > 1.35)
+  const auto measured = length_ratio(x.images.length_ratios);
+  if (!measured) return fine(name, fmt::format("the median depth is {:.3g} m", z));
+  const double ratio = *measured;
+  if (ratio < 0.6 || ratio > 1.7)
     return warning(
         name, fmt::format(
                   "steps are {:.2f} times as long by depth as by truth: --depth-factor {:.4g} instead of {}?",
@@ -96,7 +110,9 @@ Check check_depth_unit(const Inspection& x) {
 
 Check check_registered(const Inspection& x) {
   const char* name = "depth-registered";
-  if (!x.images.edges) return untold(name, "too few edges in depth, or no colour beside it");
+  if (x.dataset.frames_with_color == 0 || !x.images.depth)
+    return nothing(name, "there are not both colour and depth");
+  if (!x.images.edges) return untold(name, "too few edges in depth");
   const EdgeFit& fit = *x.images.edges;
   if (!fit.is_elsewhere()) return fine(name, "edges of depth lie on edges of the images");
   return warning(
@@ -107,14 +123,14 @@ Check check_registered(const Inspection& x) {
 
 Check check_coverage(const Inspection& x) {
   const char* name = "truth-coverage";
-  if (x.dataset.truth.empty()) return untold(name, "there is no truth");
+  if (x.dataset.truth.empty()) return nothing(name, "there is no truth");
   const std::string text = fmt::format("{:.0f} % of the frames have truth", 100 * x.truth_coverage);
   return x.truth_coverage < 0.9 ? warning(name, text) : fine(name, text);
 }
 
 Check check_quaternions(const Inspection& x) {
   const char* name = "quaternion-length";
-  if (x.dataset.truth.empty()) return untold(name, "there is no truth");
+  if (x.dataset.truth.empty()) return nothing(name, "there is no truth");
   if (x.dataset.truth_norm_error > 0.01)
     return warning(
         name, fmt::format("a quaternion of {} has a length that is {:.3g} off 1: are its columns in order?",
@@ -130,9 +146,9 @@ std::string axes_text(const Eigen::Matrix3d& R) {
 
 Check check_poses(const Inspection& x) {
   const char* name = "pose-convention";
-  if (x.dataset.truth.empty()) return untold(name, "there is no truth");
+  if (x.dataset.truth.empty()) return nothing(name, "there is no truth");
   if (!x.dataset.has_camera()) return untold(name, "without a calibration images say nothing about poses");
-  if (x.dataset.frames_with_color == 0) return untold(name, "there are no images to compare poses with");
+  if (x.dataset.frames_with_color == 0) return nothing(name, "there are no images to compare poses with");
   const ConventionJudgement found = judge_convention(x.images.motions);
   const std::string by = fmt::format(" (by {} motions)", found.motions);
   switch (found.convention) {

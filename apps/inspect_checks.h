@@ -10,7 +10,7 @@
 
 namespace framewise::apps {
 
-enum class Verdict { kFine, kWarning, kUntold };
+enum class Verdict { kFine, kWarning, kUntold, kNothingToCheck };
 
 // What was looked for, and what was found: a sentence.
 struct Check {

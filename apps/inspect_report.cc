@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 namespace framewise::apps {
@@ -73,7 +74,8 @@ OrderedJson truth_json(const Inspection& x) {
 }
 
 const char* verdict_name(Verdict verdict) {
-  return verdict == Verdict::kFine ? "fine" : verdict == Verdict::kWarning ? "warning" : "untold";
+  constexpr std::array<const char*, 4> kNames = {"fine", "warning", "untold", "nothing to check"};
+  return kNames[static_cast<std::size_t>(verdict)];
 }
 
 std::string camera_text(const Dataset& d) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 
 #include "framewise/evaluation/statistics.h"
 #include "framewise/image/depth.h"
@@ -17,7 +19,10 @@ namespace {
 constexpr std::size_t kSampledFrames = 12, kAnchors = 10;
 constexpr std::array<std::size_t, 4> kSpans = {1, 3, 9, 27};  // frames between the two of a motion
 constexpr int kDepthStride = 5;                               // of the pixels whose depth is counted
+constexpr std::size_t kMostViews = 12;
 constexpr int kFewestInliers = 40;
+// Where lengths can be compared: what the step moves things by (rad), and the step by truth (m).
+constexpr double kLeastParallax = 0.02, kLeastLength = 0.03;
 constexpr double kLeastShareOfInliers = 0.3;
 
 // `count` of `size` indices, evenly, from the first to the last.
@@ -93,22 +98,26 @@ OdometryOptions motion_options() {
   options.solver = "nister-5pt";
   options.scale = "first-pair";
   options.subpixel = "none";
+  options.depth.min_depth = 0;  // of whatever unit
+  options.depth.max_depth = 1e9;
   return options;
 }
 
 class MotionSampler {
+  using SharedView = std::shared_ptr<const Observation>;
+
  public:
   MotionSampler(const Dataset& dataset, double max_truth_gap, std::uint64_t seed)
       : dataset_(dataset), max_truth_gap_(max_truth_gap), seed_(seed) {}
 
-  void add_motions_from(std::size_t first, ImageEvidence& evidence) const {
+  void add_motions_from(std::size_t first, ImageEvidence& evidence) {
     const auto truth1 = truth(first);
     if (!truth1) return;
-    const Observation view1 = view(first);
+    const SharedView view1 = view(first);
     for (const std::size_t span : kSpans) {
       if (first + span >= dataset_.frames.size()) return;
       const auto truth2 = truth(first + span);
-      if (truth2 && !add_motion(view1, view(first + span), *truth1, *truth2, evidence)) return;
+      if (truth2 && !add_motion(*view1, *view(first + span), *truth1, *truth2, evidence)) return;
     }
   }
 
@@ -116,8 +125,15 @@ class MotionSampler {
   std::optional<Pose> truth(std::size_t i) const {
     return pose_at(dataset_.truth, dataset_.frames[i].time, max_truth_gap_);
   }
-  Observation view(std::size_t i) const {
-    return observe(load_frame(dataset_, i), dataset_.calibration.camera, options_);
+  // In a short recording a frame is seen several times.
+  SharedView view(std::size_t i) {
+    SharedView& kept = views_[i];
+    if (!kept)
+      kept = std::make_shared<Observation>(
+          observe(load_frame(dataset_, i), dataset_.calibration.camera, options_));
+    const SharedView answer = kept;
+    if (views_.size() > kMostViews) views_.erase(views_.begin());
+    return answer;
   }
 
   // Whether the two frames still show the same.
@@ -132,7 +148,7 @@ class MotionSampler {
     const double parallax = median_parallax(shared, step);
     evidence.motions.push_back({truth1, truth2, step.cam2_from_cam1, parallax});
     const double true_length = (truth1.inverse() * truth2).t.norm();
-    if (step.length_from_depth && parallax > 0.02 && true_length > 0)
+    if (step.length_from_depth && parallax > kLeastParallax && true_length > kLeastLength)
       evidence.length_ratios.push_back(*step.length_from_depth / true_length);
     return true;
   }
@@ -141,6 +157,7 @@ class MotionSampler {
   double max_truth_gap_;
   std::uint64_t seed_;
   OdometryOptions options_ = motion_options();
+  std::map<std::size_t, SharedView> views_;
 };
 
 }  // namespace
@@ -149,7 +166,7 @@ ImageEvidence sample_images(const Dataset& dataset, double max_truth_gap, std::u
   ImageEvidence evidence;
   sample_depth_and_edges(dataset, evidence);
   if (!dataset.has_camera() || dataset.frames_with_color == 0 || dataset.truth.empty()) return evidence;
-  const MotionSampler motions(dataset, max_truth_gap, seed);
+  MotionSampler motions(dataset, max_truth_gap, seed);
   for (const std::size_t i : spread_evenly(dataset.frames.size(), kAnchors))
     motions.add_motions_from(i, evidence);
   return evidence;

@@ -36,6 +36,43 @@ def write_png(path, width, height, bits, value, color_type=0):
                      + chunk(b"IEND", b""))
 
 
+def matrix_of(t, q):
+    """A pose's 4x4 rows from its position and quaternion x y z w."""
+    n = math.hypot(*q)
+    x, y, z, w = (value / n for value in q)
+    return [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), t[0]],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), t[1]],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), t[2]], [0, 0, 0, 1]]
+
+
+def quaternion_of(m):
+    """x y z w of a rotation, by the largest of them."""
+    q = [1 + m[0][0] - m[1][1] - m[2][2], 1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2],
+         1 + m[0][0] + m[1][1] + m[2][2]]
+    k = q.index(max(q))
+    rows = [[q[0], m[0][1] + m[1][0], m[0][2] + m[2][0], m[2][1] - m[1][2]],
+            [m[0][1] + m[1][0], q[1], m[1][2] + m[2][1], m[0][2] - m[2][0]],
+            [m[0][2] + m[2][0], m[1][2] + m[2][1], q[2], m[1][0] - m[0][1]],
+            [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1], q[3]]]
+    return [value / (2 * math.sqrt(q[k])) for value in rows[k]]
+
+
+def product(a, b):
+    return [[sum(a[i][k] * b[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
+
+
+def inverse(m):
+    """Of a rigid motion."""
+    R = [[m[j][i] for j in range(3)] for i in range(3)]
+    return [R[i] + [-sum(R[i][k] * m[k][3] for k in range(3))] for i in range(3)] + [[0, 0, 0, 1]]
+
+
+def quaternion_pose(lines, time):
+    """Position and quaternion of the line of a truth that is nearest in time."""
+    words = min(lines, key=lambda line: abs(float(line[0]) - time))
+    return [float(w) for w in words[1:4]], [float(w) for w in words[4:8]]
+
+
 class Recording(unittest.TestCase):
     """A small simulated recording, made once; every test changes a copy."""
 
@@ -975,8 +1012,276 @@ class Flexion(Recording):
         self.refuses(result, "depth_type", "range")
 
 
+class Datasets(Recording):
+    """Recordings that are not in the TUM benchmark's layout, made of one that is."""
+
+    WIDTH, HEIGHT = 320, 240
+    SIZE = ("--width", WIDTH, "--height", HEIGHT)
+
+    def poses(self):
+        """The truth of each frame as 4x4 rows, world_from_camera."""
+        return [matrix_of(*quaternion_pose(self.listed("groundtruth.txt"), float(time))) for time, _ in self.listed("rgb.txt")]
+
+    def make_kitti(self):
+        folder = self.work / "07"
+        (folder / "image_0").mkdir(parents=True)
+        for i, (_, file) in enumerate(self.listed("rgb.txt")):
+            shutil.copy(self.data / file, folder / "image_0" / f"{i:06}.png")
+        camera = dict(l.split(": ") for l in (self.data / "camera.yaml").read_text().splitlines() if ": " in l)
+        (folder / "calib.txt").write_text(f"P0: {camera['fx']} 0 {camera['cx']} 0 0 {camera['fy']} {camera['cy']} 0 0 0 1 0\n")
+        (folder / "times.txt").write_text("".join(f"{float(time)}\n" for time, _ in self.listed("rgb.txt")))
+        (folder / "poses.txt").write_text("".join(" ".join(map(str, sum(m[:3], []))) + "\n" for m in self.poses()))
+        return folder
+
+    def make_seven_scenes(self):
+        folder = self.work / "kitchen"
+        folder.mkdir()
+        camera = (self.data / "camera.yaml").read_text().replace("depth_factor: 5000", "depth_factor: 5000\n")
+        (folder / "camera.yaml").write_text(camera)
+        for i, ((_, color), (_, depth), pose) in enumerate(zip(self.listed("rgb.txt"), self.listed("depth.txt"), self.poses())):
+            shutil.copy(self.data / color, folder / f"frame-{i:06}.color.png")
+            shutil.copy(self.data / depth, folder / f"frame-{i:06}.depth.png")
+            (folder / f"frame-{i:06}.pose.txt").write_text("\n".join(" ".join(map(str, row)) for row in pose) + "\n")
+        return folder
+
+    def inspect(self, folder, *options):
+        result = framewise("inspect", folder, "--json", *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout)
+
+    def test_inspect_says_what_it_recognised_and_why(self):
+        for folder, format, why in ((self.data, "tum", "rgb.txt"), (self.make_kitti(), "kitti", "image_0"),
+                                    (self.make_seven_scenes(), "7-scenes", "frame-000000.color.png")):
+            with self.subTest(format):
+                answer = self.inspect(folder)
+                self.assertEqual(answer["format"], format)
+                self.assertIn(why, answer["recognised_by"])
+                self.assertEqual((answer["image"]["width"], answer["image"]["height"]), (self.WIDTH, self.HEIGHT))
+                self.assertEqual(answer["frames"]["count"], self.FRAMES)
+                self.assertAlmostEqual(answer["frames"]["rate"]["per_second"], 30, 1)
+                self.assertEqual(answer["truth"]["coverage"], 1)
+                self.assertEqual(answer["warnings"], [])
+                text = framewise("inspect", folder).stdout
+                self.assertIn(format, text)
+                self.assertIn("no usual mistake", text)
+                self.assertEqual(framewise("inspect", folder, "--quiet").stdout, "")
+
+    def test_every_layout_gives_the_same_trajectory(self):
+        self.assertEqual(self.run_data().returncode, 0)
+        expected = [line.split()[1:] for line in (self.out / "trajectory.tum").read_text().splitlines()[1:]]
+        result = framewise("run", self.make_seven_scenes(), "--out", self.out, "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual([line.split()[1:] for line in (self.out / "trajectory.tum").read_text().splitlines()[1:]], expected)
+
+    def test_a_data_set_of_any_format_is_a_reference(self):
+        folder = self.make_kitti()
+        result = framewise("run", folder, "--solver", "nister-5pt", "--scale", "truth", "--out", self.out, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        own = json.loads(result.stdout)["evaluation"]
+        result = framewise("evaluate", folder, self.out / "trajectory.tum", "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertAlmostEqual(json.loads(result.stdout)["ate"]["rmse"], own["ate"]["rmse"], 9)
+        self.refuses(framewise("evaluate", self.data / "rgb", self.out / "trajectory.tum"), "no truth")
+
+    def test_a_folder_of_images_needs_a_camera(self):
+        images = self.data / "rgb"
+        self.refuses(framewise("run", images, "--out", self.out, "--solver", "nister-5pt", "--scale", "none"), "--camera")
+        result = framewise("run", images, "--camera", self.data / "camera.yaml", "--solver", "nister-5pt", "--scale", "none",
+                           "--out", self.out, "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        warnings = {warning["name"] for warning in self.inspect(images)["warnings"]}
+        self.assertEqual(warnings, {"calibration"})
+
+    def test_depth_alone_has_no_colour(self):
+        depth = self.data / "depth"
+        self.refuses(framewise("inspect", depth), "16-bit", "--depth-factor")
+        options = ("--camera", self.data / "camera.yaml", "--depth-factor", "5000")
+        self.refuses(framewise("run", depth, "--out", self.out, *options), "colour", "--input")
+        answer = self.inspect(depth, *options)
+        self.assertEqual(answer["frames"]["with_color"], 0)
+        self.assertGreater(answer["depth"]["metres"]["p50"], 1)
+
+    def test_options_of_images_are_refused_for_an_archive(self):
+        archive = self.work / "a.h5"
+        self.assertEqual(self.run_data("--archive", archive).returncode, 0)
+        for option, value in (("--format", "tum"), ("--fps", "10"), ("--depth-type", "z"), ("--register-depth", "false")):
+            self.refuses(framewise("run", archive, "--out", self.out, option, value), option[2:], "archive")
+
+    def test_wrong_usage(self):
+        for options, words in ((("--format", "kinect"), ("kinect", "euroc")), (("--depth-type", "far"), ("depth-type",)),
+                               (("--fps", "0"), ("fps",)), (("--depth-factor", "-1"), ("depth-factor",))):
+            self.refuses(framewise("inspect", self.data, *options), *words)
+
+    def test_each_format_refuses_an_empty_folder(self):
+        empty = self.work / "empty"
+        empty.mkdir()
+        self.refuses(framewise("inspect", empty), "rgb.txt", "mav0")
+        for format in ("tum", "putkk", "icl-nuim", "7-scenes", "kitti", "kitti-depth", "euroc", "blender", "hololens", "depth",
+                       "images", "video"):
+            self.refuses(framewise("run", empty, "--format", format, "--out", self.out), "empty")
+            self.refuses(framewise("run", self.work / "gone", "--format", format, "--out", self.out), "gone")
+
+    def test_truncated_images_are_named(self):
+        for folder, file in ((self.make_kitti(), "image_0/000005.png"), (self.make_seven_scenes(), "frame-000004.depth.png")):
+            whole = (folder / file).read_bytes()
+            for size in (0, 10, 1000, len(whole) - 20):
+                (folder / file).write_bytes(whole[:size])
+                solver = ("--solver", "nister-5pt", "--scale", "none") if "image_0" in file else ()
+                self.refuses(framewise("run", folder, "--out", self.out, "--quiet", *solver), pathlib.Path(file).name)
+
+    def test_a_calibration_of_another_size(self):
+        camera = self.work / "other.yaml"
+        camera.write_text((self.data / "camera.yaml").read_text().replace(f"width: {self.WIDTH}", "width: 640"))
+        for folder in (self.data, self.make_kitti(), self.make_seven_scenes(), self.data / "rgb"):
+            self.refuses(framewise("run", folder, "--camera", camera, "--out", self.out, "--quiet", "--solver", "nister-5pt",
+                                   "--scale", "none"), f"{self.WIDTH} x {self.HEIGHT}", f"640 x {self.HEIGHT}")
+
+    def test_one_frame_is_a_recording(self):
+        folder = self.make_seven_scenes()
+        for path in folder.glob("frame-*"):
+            if "000000" not in path.name:
+                path.unlink()
+        self.assertEqual(framewise("run", folder, "--out", self.out, "--quiet").returncode, 0)
+        self.assertEqual(self.inspect(folder)["frames"]["count"], 1)
+
+    def test_a_hundred_thousand_frames_are_listed_in_little_memory(self):
+        folder = self.work / "long"
+        folder.mkdir()
+        image = self.work / "image.png"
+        write_png(image, 32, 24, 8, lambda u, v: (37 * u + 11 * v) % 256)
+        for i in range(100_000):
+            os.link(image, folder / f"{i}.png")
+        camera = self.work / "small.yaml"
+        camera.write_text("width: 32\nheight: 24\nfx: 30\nfy: 30\ncx: 16\ncy: 12\n")
+        limit = lambda: resource.setrlimit(resource.RLIMIT_DATA, (400 << 20,) * 2)
+        result = subprocess.run([FRAMEWISE, "inspect", str(folder), "--camera", str(camera), "--json"], capture_output=True,
+                                text=True, timeout=300, preexec_fn=limit)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(json.loads(result.stdout)["frames"]["count"], 100_000)
+
+
+class Mistakes(Recording):
+    """`inspect` finds each mistake that is made on purpose."""
+
+    FRAMES = 20
+    SIZE = ("--width", 320, "--height", 240)
+
+    def warnings(self, *options):
+        result = framewise("inspect", self.data, "--json", *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return {warning["name"]: warning["text"] for warning in json.loads(result.stdout)["warnings"]}
+
+    def rewrite_poses(self, change):
+        """change: 4x4 rows -> 4x4 rows, of every pose of the truth."""
+        def line(text):
+            words = [float(word) for word in text.split()]
+            moved = change(matrix_of(words[1:4], words[4:8]))
+            return " ".join(map(repr, [words[0], *[row[3] for row in moved[:3]], *quaternion_of(moved)]))
+        self.rewrite("groundtruth.txt", line)
+
+    def test_none_is_found_where_none_was_made(self):
+        self.assertEqual(self.warnings(), {})
+
+    def test_quaternions_in_the_other_order(self):
+        def w_first(line):
+            t, x, y, z, qx, qy, qz, qw = line.split()
+            return " ".join([t, x, y, z, qw, qx, qy, qz])
+        self.rewrite("groundtruth.txt", w_first)
+        self.assertEqual(set(self.warnings()), {"quaternion-order"})
+
+    def test_poses_the_other_way_round(self):
+        self.rewrite_poses(inverse)
+        self.assertEqual(set(self.warnings()), {"pose-direction"})
+
+    def test_poses_of_a_body(self):
+        body_from_camera = [[0, 0, 1, 0], [-1, 0, 0, 0.05], [0, -1, 0, 0], [0, 0, 0, 1]]
+        self.rewrite_poses(lambda pose: product(pose, inverse(body_from_camera)))
+        warnings = self.warnings()
+        self.assertEqual(set(warnings), {"body-frame"})
+        self.assertIn("120 degrees", warnings["body-frame"])
+
+    def test_quaternions_that_are_none(self):
+        def shifted(line):
+            t, x, y, z, qx, qy, qz, qw = line.split()
+            return " ".join([t, x, y, z, str(2 * float(qx)), qy, qz, qw])
+        self.rewrite("groundtruth.txt", shifted)
+        self.assertIn("quaternion-length", self.warnings())
+
+    def test_a_wrong_depth_factor(self):
+        self.assertIn("depth-factor", self.warnings("--depth-factor", "100", "--depth-max", "500"))
+        warnings = self.warnings("--depth-factor", "2000", "--depth-max", "50")
+        self.assertEqual(set(warnings), {"depth-factor"})
+        self.assertIn("2.5", warnings["depth-factor"])
+
+    def test_depth_that_is_not_registered(self):
+        # The simulator's depth is; taken for another camera's, it is moved away by 262 x 0.2 m / 3.5 m = 15 pixels.
+        camera = self.work / "unregistered.yaml"
+        text = (self.data / "camera.yaml").read_text()
+        own = "".join("  " + l + "\n" for l in text.splitlines() if l.split(":")[0] in ("width", "height", "fx", "fy", "cx", "cy"))
+        camera.write_text(text + "depth_camera:\n" + own + "  camera_from_depth_camera: [1, 0, 0, 0.2, 0, 1, 0, 0, 0, 0, 1, 0]\n")
+        self.assertIn("depth-registered", self.warnings("--camera", camera))
+
+    def test_colour_and_depth_out_of_step(self):
+        self.rewrite("depth.txt", lambda line: f"{float(line.split()[0]) + 0.014:.6f} {line.split()[1]}")
+        self.assertEqual(set(self.warnings()), {"in-step"})
+
+    def test_lists_that_hardly_match(self):
+        lines = (self.data / "depth.txt").read_text().splitlines()
+        (self.data / "depth.txt").write_text("\n".join(lines[:2] + lines[2::3]) + "\n")
+        self.assertEqual(set(self.warnings()), {"lists-match"})
+
+    def test_lists_that_never_match(self):
+        self.rewrite("depth.txt", lambda line: f"{float(line.split()[0]) + 1000} {line.split()[1]}")
+        self.refuses(framewise("inspect", self.data), "depth.txt", "within 0.02 s")
+
+    def test_truth_that_covers_half(self):
+        lines = (self.data / "groundtruth.txt").read_text().splitlines()
+        (self.data / "groundtruth.txt").write_text("\n".join(lines[:3 + (len(lines) - 3) // 2]) + "\n")
+        self.assertEqual(set(self.warnings()), {"truth-coverage"})
+
+    def test_stamps_in_other_units(self):
+        for name in ("rgb.txt", "depth.txt", "groundtruth.txt"):
+            self.rewrite(name, lambda line: " ".join([f"{1e3 * float(line.split()[0]):.3f}"] + line.split()[1:]))
+        self.assertIn("milli", self.warnings("--max-truth-gap", "100", "--max-time-difference", "20")["time-unit"])
+        for name in ("rgb.txt", "depth.txt", "groundtruth.txt"):
+            self.rewrite(name, lambda line: " ".join([f"{1e6 * float(line.split()[0]):.0f}"] + line.split()[1:]))
+        self.refuses(framewise("inspect", self.data), "rgb.txt", "nano")
+
+    def test_two_runs_in_one_recording(self):
+        def twice(name, later, move=0.0):
+            lines = [l.split() for l in (self.data / name).read_text().splitlines() if not l.startswith("#")]
+            moved = [[f"{float(l[0]) + later:.6f}", *([str(float(l[1]) + move)] if move else l[1:2]), *l[2:]] for l in lines]
+            (self.data / name).write_text("\n".join(" ".join(l) for l in lines + moved) + "\n")
+        original = {name: (self.data / name).read_text() for name in ("rgb.txt", "depth.txt", "groundtruth.txt")}
+        for later, move, word in ((100, 0, "no frames for"), (0.7, 3.0, "leaps")):
+            for name, text in original.items():
+                (self.data / name).write_text(text)
+                twice(name, later, move if name == "groundtruth.txt" else 0)
+            self.assertIn(word, self.warnings()["one-run"])
+
+
 @unittest.skipUnless((DATA / "tum_fr1_rpy_000_080").is_dir(), f"no real recordings at {DATA}")
 class RealRecording(unittest.TestCase):
+    def warnings(self, name, *options):
+        result = framewise("inspect", DATA / name, "--json", *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return {warning["name"] for warning in json.loads(result.stdout)["warnings"]}
+
+    def test_inspect_finds_in_real_recordings_only_what_is_odd(self):
+        self.assertLessEqual(self.warnings("tum_fr1_rpy_000_080"), {"in-step"})
+        self.assertEqual(self.warnings("kitti07_160"), set())
+        self.assertEqual(self.warnings("7scenes_redkitchen_000_150"), set())
+        self.assertIn("depth-registered", self.warnings("7scenes_redkitchen_000_150", "--register-depth", "false"))
+
+    def test_kabsch_on_7_scenes_is_not_worse_than_without_registration_in_published_code(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = framewise("run", DATA / "7scenes_redkitchen_000_150", "--solver", "kabsch", "--out", folder, "--json")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            evaluation = json.loads(result.stdout)["evaluation"]
+            self.assertEqual(evaluation["coverage"], 1)
+            self.assertLessEqual(evaluation["rpe"]["translation"]["rmse"], 4.84e-3)
+            self.assertLessEqual(evaluation["rpe"]["rotation_deg"]["rmse"], 0.215)
+
     def test_kabsch_on_fr1_rpy_meets_the_bar(self):
         with tempfile.TemporaryDirectory() as folder:
             result = framewise("run", DATA / "tum_fr1_rpy_000_080", "--solver", "kabsch", "--out", folder, "--json")

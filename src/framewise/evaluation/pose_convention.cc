@@ -17,7 +17,11 @@ namespace {
 constexpr double kDegree = M_PI / 180;
 constexpr double kLeastRotation = 2 * kDegree, kLeastParallax = 1.5 * kDegree;
 constexpr std::size_t kFewestMotions = 4;
-constexpr double kShareOfRotation = 1.0 / 3, kLargestDirectionError = 30 * kDegree;
+// How much may be wrong: of the rotation, and of the direction.
+struct Tolerance {
+  double share, direction;
+};
+constexpr Tolerance kAsReadTolerance = {1.0 / 2, 45 * kDegree}, kTolerance = {1.0 / 3, 30 * kDegree};
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 // A frame that is turned by less is a calibration error, no other convention.
 constexpr double kLeastBodyRotation = 10 * kDegree;
@@ -74,9 +78,8 @@ Errors errors_of(std::span<const ObservedMotion> motions, const Relative& relati
 }
 
 // Where nothing tells, nothing contradicts.
-bool fits(const Errors& errors, double median_rotation) {
-  return !(errors.rotation > kShareOfRotation * median_rotation) &&
-         !(errors.direction > kLargestDirectionError);
+bool fits(const Errors& errors, double median_rotation, const Tolerance& most) {
+  return !(errors.rotation > most.share * median_rotation) && !(errors.direction > most.direction);
 }
 
 using VectorPair = std::pair<Eigen::Vector3d, Eigen::Vector3d>;  // in the body's axes, in the camera's
@@ -129,14 +132,15 @@ ConventionJudgement judge_convention(std::span<const ObservedMotion> motions) {
   judgement.direction_error = read.direction;
   if (static_cast<std::size_t>(judgement.motions) < kFewestMotions) return judgement;
 
-  const std::array<std::pair<PoseConvention, Relative>, 4> candidates = {
-      {{PoseConvention::kAsRead, as_read},
-       {PoseConvention::kScalarFirst, with_scalar_first},
+  judgement.convention = PoseConvention::kAsRead;
+  if (fits(read, judgement.median_rotation, kAsReadTolerance)) return judgement;
+  const std::array<std::pair<PoseConvention, Relative>, 3> candidates = {
+      {{PoseConvention::kScalarFirst, with_scalar_first},
        {PoseConvention::kScalarLast, with_scalar_last},
        {PoseConvention::kInverse, inverted}}};
   for (const auto& [convention, relative] : candidates) {
     judgement.convention = convention;
-    if (fits(errors_of(motions, relative), judgement.median_rotation)) return judgement;
+    if (fits(errors_of(motions, relative), judgement.median_rotation, kTolerance)) return judgement;
   }
 
   // A lever arm between body and camera moves directions: they are asked only where rotations do not tell.
@@ -145,8 +149,8 @@ ConventionJudgement judge_convention(std::span<const ObservedMotion> motions) {
     return Pose{C * as_read(motion).R * C.transpose(), C * as_read(motion).t};
   });
   const bool agrees = std::isnan(turned.rotation)
-                          ? turned.direction <= kLargestDirectionError
-                          : turned.rotation <= kShareOfRotation * judgement.median_rotation;
+                          ? turned.direction <= kTolerance.direction
+                          : turned.rotation <= kTolerance.share * judgement.median_rotation;
   const bool is_body = agrees && rotation_angle(C) >= kLeastBodyRotation;
   judgement.convention = is_body ? PoseConvention::kBodyFrame : PoseConvention::kNone;
   if (is_body) judgement.cam_from_body = C;

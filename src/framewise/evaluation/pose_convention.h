@@ -38,11 +38,12 @@ struct ConventionJudgement {
 };
 
 // Which convention explains the motions. Rotations of at least 2 degrees and directions under at least 1.5
-// degrees of parallax count, from four motions on. A convention fits where, in the median, rotations agree to
-// a third of what the camera turned and directions to 30 degrees; of those that fit, the first in the
-// enumeration's order is taken, since it assumes least. The body's rotation is fitted to the rotation vectors
-// (Kabsch). A wrong order of quaternions cannot be told from the truth alone: it permutes the components of
-// all quaternions alike, which keeps every angle between them.
+// degrees of parallax count, from four motions on. The poses as read are right where, in the median,
+// rotations agree to half of what the camera turned and directions to 45 degrees; another convention explains
+// them where it agrees to a third and to 30 degrees, tried in the enumeration's order. The body's rotation is
+// fitted to the rotation vectors, or to the directions of a camera that hardly turns (Kabsch). A wrong order
+// of quaternions cannot be told from the truth alone: it permutes the components of all quaternions alike,
+// which keeps every angle between them.
 ConventionJudgement judge_convention(std::span<const ObservedMotion> motions);
 
 }  // namespace framewise
