@@ -97,6 +97,22 @@ TEST_P(Kneip5ptLaws, MoreBearingsPutTheTrueRotationFirst) {
   EXPECT_LE(failures, GetParam() == Scene::kTinyBaseline ? 6 : 1);
 }
 
+// Bearings with noise fit no rotation exactly, and have an answer all the same.
+TEST(Kneip5pt, MoreBearingsWithNoiseHaveAnAnswer) {
+  Random random(6);
+  int empty = 0;
+  for (const std::size_t n : {6, 7, 8})
+    for (int trial = 0; trial < 100; ++trial) {
+      auto p = make_problem(Scene::kOdometry, n, random);
+      for (auto* bearings : {&p.x1, &p.x2})
+        for (Bearing& x : *bearings) x = (x + 0.5 / 525 * random.normal3()).normalized();
+      const Rotations rotations = relrot_5pt_kneip(p.x1, p.x2);
+      expect_finite_rotations(rotations);
+      empty += rotations.empty();
+    }
+  EXPECT_LE(empty, 24);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Kneip5ptLaws,
                          ::testing::Values(Scene::kRandom, Scene::kOdometry, Scene::kPlanar, Scene::kForward,
                                            Scene::kTinyBaseline),
