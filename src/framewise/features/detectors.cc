@@ -76,9 +76,9 @@ double strength_of(const cv::Mat& gray, const cv::Mat& mask, int count, const Bl
 }
 
 // Contrasts go with the square root of determinants. The factor finds the count in most images or somewhat
-// more (of indoor, street and facade images: 0.0058 to 0.012); what is too much costs little.
+// more (of indoor, street and facade images: 0.0067 to 0.012); what is too much costs little.
 Detection detect_sift(const cv::Mat& gray, const cv::Mat& mask, const DetectOptions& options) {
-  constexpr double kContrastPerStrength = 0.0068, kLowest = 0.006;
+  constexpr double kContrastPerStrength = 0.0073, kLowest = 0.006;
   const double strength = strength_of(gray, mask, options.candidates, {1.0, 1});
   const int cap = mask.empty() ? options.candidates : 0;  // OpenCV caps before it masks
   return at_falling_thresholds(
