@@ -201,6 +201,7 @@ class Failures(Compare):
 
     def test_without_depth_the_rows_that_need_none_go_on(self):
         (self.data / "depth.txt").unlink()
+        shutil.rmtree(self.data / "depth")
         results = self.done()
         self.assertIn("no depth images", results["rows"][0]["reason"])
         self.assertIsNone(results["rows"][1]["reason"])
