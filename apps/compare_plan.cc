@@ -20,7 +20,7 @@ std::string as_folder_name(const std::string& name) {
   std::string plain;
   for (const unsigned char c : name)
     plain += std::isalnum(c) || std::strchr("._-", c) ? static_cast<char>(c) : '_';
-  return plain.empty() || plain[0] == '.' ? "_" + plain : plain;
+  return plain.empty() || plain[0] == '.' ? fmt::format("_{}", plain) : plain;
 }
 
 // Tells folders of different keys apart; that a folder is the right one says the key in it.
@@ -159,7 +159,8 @@ class Planner {
       key["seed"] = seed;
       job.key = key;
       job.arguments = {"run", archive.file.string(), "--seed", std::to_string(seed)};
-      for (const auto& [name, value] : method.typed) job.arguments.push_back("--" + name + "=" + value);
+      for (const auto& [name, value] : method.typed)
+        job.arguments.push_back(fmt::format("--{}={}", name, value));
       row.runs.push_back(std::move(job));
     }
   }
@@ -199,7 +200,7 @@ class Planner {
                      {"--solver", depth ? "kabsch" : "nister-5pt", "--scale", depth ? "depth" : "none"});
     const auto shaping = correspondence_option_texts(method.odometry);
     for (const auto& [name, value] : method.typed)
-      if (shaping.contains(name)) arguments.push_back("--" + name + "=" + value);
+      if (shaping.contains(name)) arguments.push_back(fmt::format("--{}={}", name, value));
     arguments.insert(arguments.end(), dataset_arguments_.begin(), dataset_arguments_.end());
     return arguments;
   }

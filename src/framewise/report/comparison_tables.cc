@@ -64,8 +64,8 @@ std::string label(const ComparisonRow& row) { return row.method + " with " + row
 
 // In a few words, with the mark of the note that has them all.
 std::string missing(const ComparisonRow& row, Notes& notes) {
-  if (row.failed == row.repeats && row.failed > 0) return "failed " + notes.mark(row.failure);
-  return row.no_errors + " " + notes.mark(row.no_errors);
+  if (row.failed == row.repeats && row.failed > 0) return fmt::format("failed {}", notes.mark(row.failure));
+  return fmt::format("{} {}", row.no_errors, notes.mark(row.no_errors));
 }
 
 // Which alignment, and which rows have another than the most.
@@ -142,9 +142,8 @@ Table errors_table(const Comparison& comparison, const ComparedDataset& dataset,
       cells.insert(cells.end(), 7, missing(*row, notes));
     }
     cells.push_back(row->measured ? digits(*row->measured) : missing(*row, notes));
-    std::string failed = fmt::format("{} of {}", row->failed, row->repeats);
-    if (row->failed > 0) failed.append(" ").append(notes.mark(row->failure));
-    cells.push_back(std::move(failed));
+    const std::string mark = row->failed > 0 ? fmt::format(" {}", notes.mark(row->failure)) : "";
+    cells.push_back(fmt::format("{} of {}{}", row->failed, row->repeats, mark));
     if (published) add_published(*row, cells);
     table.rows.push_back(std::move(cells));
   }
@@ -176,7 +175,7 @@ Table differences_table(const Comparison& comparison, const ComparedDataset& dat
   table.caption = fmt::format(
       "Differences on {}: error minus that of the row with the least RMSE, frame by frame: their median, its "
       "95 % "
-      "bootstrap interval, p by sign flips corrected for {} comparisons (Holm); real: p below {:g}.",
+      "bootstrap interval, p by sign flips, corrected for their number ({}, Holm); real: p below {:g}.",
       dataset.name, count_comparisons(rows), comparison.statistics.significance);
   table.columns = {{"method", false}, {"features", false}, {"mm a frame"}, {"95 %"}, {"p"},
                    {"real", false},   {"deg a frame"},     {"95 %"},       {"p"},    {"real", false}};
@@ -236,14 +235,14 @@ std::vector<Table> comparison_tables(const Comparison& comparison) {
 
 std::string comparison_markdown(const Comparison& comparison) {
   std::string text = fmt::format("# Comparison: {}\n", comparison.grid);
-  for (const Table& table : comparison_tables(comparison)) text.append("\n").append(to_markdown(table));
+  for (const Table& table : comparison_tables(comparison)) text += fmt::format("\n{}", to_markdown(table));
   return text;
 }
 
 std::string comparison_latex(const Comparison& comparison) {
   std::string text;
   for (const Table& table : comparison_tables(comparison))
-    text.append(text.empty() ? "" : "\n").append(to_latex(table));
+    text += fmt::format("{}{}", text.empty() ? "" : "\n", to_latex(table));
   return text;
 }
 

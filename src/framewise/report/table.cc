@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/report/table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -11,9 +13,8 @@ namespace {
 void check(const Table& table) {
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     if (table.rows[i].size() != table.columns.size())
-      throw std::invalid_argument("table: row " + std::to_string(i) + " has " +
-                                  std::to_string(table.rows[i].size()) + " cells, expected " +
-                                  std::to_string(table.columns.size()));
+      throw std::invalid_argument(fmt::format("table: row {} has {} cells, expected {}", i,
+                                              table.rows[i].size(), table.columns.size()));
 }
 
 template <typename Range, typename Text>
@@ -72,7 +73,8 @@ std::string markdown_line(const std::vector<std::string>& cells, const std::vect
   std::string line = "|";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::string gap(widths[i] - width(cells[i]), ' ');
-    line.append(" ").append(columns[i].is_number ? gap + cells[i] : cells[i] + gap).append(" |");
+    line +=
+        columns[i].is_number ? fmt::format(" {}{} |", gap, cells[i]) : fmt::format(" {}{} |", cells[i], gap);
   }
   return line + "\n";
 }
@@ -95,7 +97,7 @@ std::string to_markdown(const Table& table) {
     lines.emplace_back();
     for (const Table::Cell& cell : row) {
       const std::string text = markdown_text(cell.text);
-      lines.back().push_back(cell.bold ? "**" + text + "**" : text);
+      lines.back().push_back(cell.bold ? fmt::format("**{}**", text) : text);
     }
   }
   std::vector<std::size_t> widths(table.columns.size(), 3);
@@ -103,32 +105,31 @@ std::string to_markdown(const Table& table) {
     for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
 
   std::string text =
-      markdown_text(table.caption) + "\n\n" + markdown_line(lines[0], widths, table.columns) + "|";
-  for (std::size_t i = 0; i < widths.size(); ++i)
-    text.append(table.columns[i].is_number ? "" : ":")
-        .append(widths[i] + 1, '-')
-        .append(table.columns[i].is_number ? ":|" : "|");
+      fmt::format("{}\n\n{}|", markdown_text(table.caption), markdown_line(lines[0], widths, table.columns));
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const std::string dashes(widths[i] + 1, '-');
+    text += table.columns[i].is_number ? fmt::format("{}:|", dashes) : fmt::format(":{}|", dashes);
+  }
   text += "\n";
   for (std::size_t i = 1; i < lines.size(); ++i) text += markdown_line(lines[i], widths, table.columns);
   if (!table.notes.empty()) text += "\n";
-  for (const std::string& note : table.notes) text += "- " + markdown_text(note) + "\n";
+  for (const std::string& note : table.notes) text += fmt::format("- {}\n", markdown_text(note));
   return text;
 }
 
 std::string to_latex(const Table& table) {
   check(table);
-  std::string text =
-      "% " + latex_text(table.caption) + "\n\\begin{tabular}{" +
-      joined(table.columns, "", [](const auto& c) { return std::string(c.is_number ? "r" : "l"); }) +
-      "}\n\\hline\n";
+  const auto place = [](const auto& column) { return std::string(column.is_number ? "r" : "l"); };
   const auto heading = [](const auto& column) { return latex_text(column.heading); };
   const auto value = [](const Table::Cell& cell) {
-    return cell.bold ? "\\textbf{" + latex_text(cell.text) + "}" : latex_text(cell.text);
+    return cell.bold ? fmt::format("\\textbf{{{}}}", latex_text(cell.text)) : latex_text(cell.text);
   };
+  std::string text = fmt::format("\\noindent {}\n\n\\medskip\\noindent\n\\begin{{tabular}}{{{}}}\n\\hline\n",
+                                 latex_text(table.caption), joined(table.columns, "", place));
   text += joined(table.columns, " & ", heading) + " \\\\\n\\hline\n";
   for (const auto& row : table.rows) text += joined(row, " & ", value) + " \\\\\n";
-  text += "\\hline\n\\end{tabular}\n\n\\medskip\\noindent " + latex_text(table.caption) + "\n";
-  for (const std::string& note : table.notes) text += "\n\\noindent " + latex_text(note) + "\n";
+  text += "\\hline\n\\end{tabular}\n";
+  for (const std::string& note : table.notes) text += fmt::format("\n\\noindent {}\n", latex_text(note));
   return text;
 }
 
