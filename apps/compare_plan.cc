@@ -112,6 +112,9 @@ class Planner {
   void add_dataset(const fs::path& path, const DatasetOptions& dataset_options) {
     PlannedDataset dataset;
     dataset.recording = open_recording(path, dataset_options);
+    if (dataset.recording.archive && !dataset_arguments_.empty())
+      throw InputError(path, 0, dataset_arguments_.front(), "an archive, which has no images",
+                       "a data set for this option");
     const Key key = dataset_key(dataset.recording);
     dataset.label = dataset.recording.from.dataset_name;
     const std::string name = as_folder_name(dataset.label) + "-" + short_hash(key);

@@ -137,6 +137,7 @@ class Tables(Compare):
         self.assertIsNone(results["rows"][0]["times"]["features_ms"])
         self.assertEqual(self.table()[0]["features_ms"], "archive given")
         self.assertFalse((self.out / "archives").exists())
+        self.refuses(self.compare("--depth-factor", 1000, data=[archive], grid=grid), "matches.h5", "--depth-factor")
         # Matches of other features are not made up.
         result = self.compare(data=[archive], grid=self.write_grid(METHODS + "features: [{detector: akaze}]\n"))
         self.assertEqual(result.returncode, 1)
