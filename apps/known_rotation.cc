@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "framewise/geometry/gyroscope.h"
+#include "framewise/geometry/so3.h"
 #include "framewise/io/gyroscope_file.h"
 #include "framewise/io/input_error.h"
 #include "framewise/io/trajectory_files.h"
@@ -26,11 +27,12 @@ bool is_gyroscope_file(const std::filesystem::path& path) {
   return false;
 }
 
+// Matrices in files are as good as their printed digits; a rotation is made of them here.
 RotationSource of_poses(std::function<std::optional<Pose>(std::size_t)> world_from_cam) {
   return [world_from_cam](std::size_t i, std::size_t j) -> std::optional<Eigen::Matrix3d> {
     const auto pose1 = world_from_cam(i), pose2 = world_from_cam(j);
     if (!pose1 || !pose2) return std::nullopt;
-    return pose2->R.transpose() * pose1->R;
+    return nearest_rotation(pose2->R.transpose() * pose1->R);
   };
 }
 
