@@ -1292,6 +1292,14 @@ class RealRecording(unittest.TestCase):
             self.assertLessEqual(evaluation["rpe"]["rotation_deg"]["rmse"], 0.46)
             self.assertLessEqual(evaluation["rpe"]["translation"]["rmse"], 8.6e-3)
 
+    @unittest.skipUnless((DATA / "7scenes_redkitchen_000_150").is_dir(), f"no 7-Scenes at {DATA}")
+    def test_two_point_takes_rotations_from_matrices_of_few_digits(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = framewise("run", DATA / "7scenes_redkitchen_000_150", "--solver", "two-point", "--rotation", "truth",
+                               "--features", 500, "--out", folder, "--json")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertLess(json.loads(result.stdout)["evaluation"]["rpe"]["rotation_deg"]["rmse"], 0.02)
+
 
 if __name__ == "__main__":
     unittest.main()
