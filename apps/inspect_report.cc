@@ -63,6 +63,13 @@ OrderedJson depth_json(const Inspection& x) {
   return json;
 }
 
+OrderedJson edges_json(const Inspection& x) {
+  if (!x.images.edges) return nullptr;
+  const EdgeFit& fit = *x.images.edges;
+  return {{"pixels", fit.edges}, {"zoom", fit.zoom},         {"du", fit.du},        {"dv", fit.dv},
+          {"score", fit.score},  {"as_it_is", fit.as_it_is}, {"spread", fit.spread}};
+}
+
 OrderedJson truth_json(const Inspection& x) {
   const Dataset& d = x.dataset;
   if (d.truth.empty()) return nullptr;
@@ -177,7 +184,10 @@ OrderedJson inspection_json(const Inspection& x, const std::vector<Check>& check
         {"depth_delay_ms", 1e3 * x.median_delay},
         {"out_of_step", x.out_of_step}}},
       {"depth", depth_json(x)},
+      {"edges", edges_json(x)},
       {"truth", truth_json(x)},
+      {"motions", x.images.motions.size()},
+      {"lengths_by_depth_over_truth", x.images.length_ratios},
       {"gyroscope", d.gyroscope.empty() ? OrderedJson(nullptr) : OrderedJson{{"rates", d.gyroscope.size()}}},
       {"warnings", warnings},
       {"checks", all}};

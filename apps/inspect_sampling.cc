@@ -12,6 +12,7 @@
 #include "framewise/image/depth.h"
 #include "framewise/odometry/correspond.h"
 #include "framewise/odometry/step.h"
+#include "framewise/robust/registration.h"
 
 namespace framewise::apps {
 namespace {
@@ -21,8 +22,8 @@ constexpr std::array<std::size_t, 4> kSpans = {1, 3, 9, 27};  // frames between 
 constexpr int kDepthStride = 5;                               // of the pixels whose depth is counted
 constexpr std::size_t kMostViews = 12;
 constexpr int kFewestInliers = 40;
-// Where lengths can be compared: what the step moves things by (rad), and the step by truth (m).
-constexpr double kLeastParallax = 0.02, kLeastLength = 0.03;
+constexpr double kLeastLength = 0.03;        // of a step by truth, to be compared (m)
+constexpr double kPointErrorOfDepth = 0.03;  // of an inlier, as a share of the depth
 constexpr double kLeastShareOfInliers = 0.3;
 
 // `count` of `size` indices, evenly, from the first to the last.
@@ -92,11 +93,31 @@ double median_parallax(const Correspondences& shared, const Step& step) {
   return angles.empty() ? 0 : median(angles);
 }
 
-// Bearings alone tell the motion: no mistake in depth touches it. The length is what depth says of it.
+// The length of the motion by depth alone (m): of the rigid motion between the points that both frames have
+// with depth, which no unit of depth turns. Empty where they are too few.
+std::optional<double> length_by_depth(const Correspondences& shared, std::uint64_t seed) {
+  std::vector<Eigen::Vector3d> X1, X2;
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < shared.size(); ++i) {
+    if (!std::isfinite(shared.z1[i]) || !std::isfinite(shared.z2[i])) continue;
+    X1.push_back(shared.z1[i] / shared.x1[i].z() * shared.x1[i]);
+    X2.push_back(shared.z2[i] / shared.x2[i].z() * shared.x2[i]);
+    depths.push_back(shared.z1[i]);
+  }
+  if (X1.size() < static_cast<std::size_t>(kFewestInliers)) return std::nullopt;
+  RegistrationOptions options;
+  options.ransac.seed = seed;
+  options.max_error = kPointErrorOfDepth * median(depths);
+  options.min_inliers = kFewestInliers;
+  const auto estimate = estimate_registration(X1, X2, options);
+  return estimate ? std::optional(estimate->cam2_from_cam1.t.norm()) : std::nullopt;
+}
+
+// Bearings alone tell the motion: no mistake in depth touches it.
 OdometryOptions motion_options() {
   OdometryOptions options;
   options.solver = "nister-5pt";
-  options.scale = "first-pair";
+  options.scale = "none";
   options.subpixel = "none";
   options.depth.min_depth = 0;  // of whatever unit
   options.depth.max_depth = 1e9;
@@ -145,11 +166,11 @@ class MotionSampler {
     if (!is_measured(step.status) || step.inliers < kFewestInliers ||
         step.inliers < kLeastShareOfInliers * step.matches)
       return false;
-    const double parallax = median_parallax(shared, step);
-    evidence.motions.push_back({truth1, truth2, step.cam2_from_cam1, parallax});
+    evidence.motions.push_back({truth1, truth2, step.cam2_from_cam1, median_parallax(shared, step)});
     const double true_length = (truth1.inverse() * truth2).t.norm();
-    if (step.length_from_depth && parallax > kLeastParallax && true_length > kLeastLength)
-      evidence.length_ratios.push_back(*step.length_from_depth / true_length);
+    if (true_length < kLeastLength) return true;
+    if (const auto length = length_by_depth(shared, seed_))
+      evidence.length_ratios.push_back(*length / true_length);
     return true;
   }
 

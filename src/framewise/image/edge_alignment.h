@@ -18,7 +18,7 @@ struct EdgeFit {
   std::size_t edges = 0;  // pixels
 
   // Depth lies elsewhere than the photograph: another place fits better than this one by far.
-  bool is_elsewhere() const { return score - as_it_is > 0.08 && score - as_it_is > 3 * spread; }
+  bool is_elsewhere() const { return score - as_it_is > 0.08 && score - as_it_is > 2.5 * spread; }
 };
 
 // Looks for that move over several frames of one camera, since a single one may have few edges, or chance
