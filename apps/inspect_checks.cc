@@ -95,8 +95,11 @@ Check check_depth_unit(const Inspection& x) {
         name,
         fmt::format("the median depth is {:.3g} m with {} raw units in a metre: another --depth-factor?", z,
                     factor));
+  // Lengths between poses that are read the wrong way are no lengths of steps.
+  const PoseConvention convention = judge_convention(x.images.motions).convention;
+  const bool has_lengths = convention == PoseConvention::kAsRead || convention == PoseConvention::kUntold;
   const auto measured = length_ratio(x.images.length_ratios);
-  if (!measured) return fine(name, fmt::format("the median depth is {:.3g} m", z));
+  if (!has_lengths || !measured) return fine(name, fmt::format("the median depth is {:.3g} m", z));
   const double ratio = *measured;
   if (ratio < 0.6 || ratio > 1.7)
     return warning(
