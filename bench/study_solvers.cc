@@ -3,7 +3,7 @@
 //
 // Which solver wins at which motion and inlier ratio: a grid of simulated two-view problems with known truth,
 // one CSV line for each cell and method. docs/solver_study.md says what it shows.
-//   build/bench/bench/bench_study_solvers [problems in a cell, default 24] [threads, default 2] > grid.csv
+//   build/bench/bench/bench_study_solvers [problems in a cell, default 8] [threads, default 2] > grid.csv
 // The figures depend on the number of problems alone, not on the threads.
 #include <atomic>
 #include <cstdio>
@@ -91,7 +91,7 @@ void run(std::size_t problems, unsigned threads) {
 }  // namespace framewise::bench
 
 int main(int argc, char** argv) {
-  const std::size_t problems = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 24;
+  const std::size_t problems = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 8;
   const unsigned threads = argc > 2 ? static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)) : 2;
   framewise::bench::run(problems, std::max(1u, threads));
 }
