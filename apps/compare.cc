@@ -18,6 +18,7 @@
 #include "framewise/report/comparison_csv.h"
 #include "framewise/report/comparison_json.h"
 #include "framewise/report/comparison_tables.h"
+#include "report_files.h"
 
 namespace framewise::apps {
 namespace {
@@ -76,15 +77,6 @@ std::vector<std::string> typed_dataset_options(const CLI::App& app) {
   return typed;
 }
 
-void write_whole(const fs::path& path, const std::string& text) {
-  const fs::path part = path.string() + ".part";
-  auto file = open_output_file(part, "--out");
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": writing failed (is the disk full?)");
-  fs::rename(part, path);
-}
-
 void write_truths(const ComparePlan& plan) {
   for (const PlannedDataset& dataset : plan.datasets) {
     if (!dataset.recording.has_truth()) continue;
@@ -94,10 +86,10 @@ void write_truths(const ComparePlan& plan) {
 }
 
 void write_results(const fs::path& out, const Comparison& comparison, const std::string& json) {
-  write_whole(out / "table.csv", to_csv(comparison_csv_table(comparison)));
-  write_whole(out / "table.md", comparison_markdown(comparison));
-  write_whole(out / "table.tex", comparison_latex(comparison));
-  write_whole(out / "results.json", json);
+  write_whole(out / "table.csv", to_csv(comparison_csv_table(comparison)), "--out");
+  write_whole(out / "table.md", comparison_markdown(comparison), "--out");
+  write_whole(out / "table.tex", comparison_latex(comparison), "--out");
+  write_whole(out / "results.json", json, "--out");
 }
 
 std::size_t count_failed(const Comparison& comparison) {
@@ -142,7 +134,7 @@ int compare(const CompareCommand& command, const CLI::App& app) {
 
 }  // namespace
 
-void add_compare(CLI::App& program, Action& action) {
+void add_compare(CLI::App& program, Action& action, const Invocation&) {
   const auto command = std::make_shared<CompareCommand>();
   CLI::App* app =
       program.add_subcommand("compare", "Many methods on the same matches of recordings, in tables");

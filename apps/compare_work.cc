@@ -122,7 +122,7 @@ class Work {
     fs::remove_all(folder);
     make_output_folder(folder, "--out");
     std::vector<std::string> arguments = task.job->arguments;
-    arguments.insert(arguments.end(), {"--threads", "1", "--quiet", "--out", folder.string()});
+    arguments.insert(arguments.end(), {"--threads", "1", "--quiet", "--no-report", "--out", folder.string()});
     if (task.archive)
       arguments.insert(arguments.end(), {"--archive", (folder / task.archive->file.filename()).string()});
     children.start(tasks_.size(), arguments, folder / "errors.txt");

@@ -31,13 +31,15 @@ int main(int argc, char** argv) {
   program.set_version_flag("--version", "framewise " FRAMEWISE_VERSION);
   program.require_subcommand(1);
   framewise::apps::Action action;
-  framewise::apps::add_run(program, action);
+  const framewise::apps::Invocation invocation = framewise::apps::invocation_of(argc, argv);
+  framewise::apps::add_run(program, action, invocation);
   framewise::apps::add_evaluate(program, action);
-  framewise::apps::add_compare(program, action);
+  framewise::apps::add_compare(program, action, invocation);
   framewise::apps::add_relpose(program, action);
   framewise::apps::add_simulate(program, action);
   framewise::apps::add_flexion(program, action);
   framewise::apps::add_inspect(program, action);
+  framewise::apps::add_report(program, action);
   program.footer("framewise COMMAND --help explains a command and gives examples.");
 
   try {

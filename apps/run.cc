@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "config.h"
+#include "frame_keeper.h"
 #include "framewise/io/correspondence_archive_writer.h"
 #include "framewise/io/feature_files.h"
 #include "framewise/io/input_error.h"
@@ -15,6 +16,7 @@
 #include "known_rotation.h"
 #include "method_options.h"
 #include "progress.h"
+#include "report_files.h"
 #include "run_record.h"
 
 namespace framewise::apps {
@@ -23,14 +25,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct RunCommand {
-  std::filesystem::path path, out, config, archive, features_folder;
+  std::filesystem::path path, out, config, archive, features_folder, figures;
   DatasetOptions dataset;
   OdometryOptions odometry;
   std::string rotation = "none";
-  bool quiet = false, json = false;
+  bool quiet = false, json = false, no_report = false;
 };
 
-FrameLine line_of(const FrameResult& result) {
+FrameLine line_of(const FrameResult& result, double parallax_deg) {
   FrameLine line;
   line.index = result.index;
   line.time = result.time;
@@ -44,6 +46,7 @@ FrameLine line_of(const FrameResult& result) {
   line.features_ms = 1e3 * result.seconds.features;
   line.match_ms = 1e3 * result.seconds.match;
   line.step_ms = 1e3 * result.seconds.step;
+  line.parallax_deg = parallax_deg;
   return line;
 }
 
@@ -76,14 +79,21 @@ PriorKnowledge knowledge(const RunCommand& command, const Recording& recording) 
 
 using FrameSink = std::function<void(const FrameResult&)>;
 
+// What is caught of the frames on their way besides their results.
+struct Catch {
+  PairsInFlight pairs;
+  std::optional<FrameKeeper> keeper;  // where there will be a report
+};
+
 // Takes the correspondences from the recording's archive; returns how many pairs it did not hold.
 std::size_t run_archive(const RunCommand& command, const Recording& recording, const Clock& clock,
-                        const FrameSink& sink) {
+                        const FrameSink& sink, Catch& caught) {
   std::atomic<std::size_t> missing = 0;
   const PairSource source{recording.size(), [&](std::size_t i) { return recording.times[i]; },
                           [&](std::size_t i, std::size_t j) {
                             auto shared = recording.archive->pair(i, j);
                             missing += !shared;
+                            if (shared) caught.pairs.see(j, *shared);
                             return shared;
                           },
                           knowledge(command, recording)};
@@ -104,20 +114,27 @@ OdometryTaps export_taps(const RunCommand& command, const Dataset& images) {
 }
 
 void run_images(const RunCommand& command, const Recording& recording, const Clock& clock,
-                const FrameSink& sink) {
+                const FrameSink& sink, Catch& caught) {
   const Dataset& images = *recording.images;
-  const FrameSource source{recording.size(), [&](std::size_t i) { return load_frame(images, i); },
+  const FrameSource source{recording.size(),
+                           [&](std::size_t i) {
+                             const Frame frame = load_frame(images, i);
+                             if (caught.keeper) caught.keeper->see_image(i, frame);
+                             return frame;
+                           },
                            knowledge(command, recording)};
   OdometryTaps taps = export_taps(command, images);
   const auto run_into = [&](const FrameSink& into) {
     run_odometry(source, recording.from.calibration.camera, command.odometry, clock, into, taps);
   };
+  taps.pair = [&](std::size_t, std::size_t j, const Correspondences& shared) { caught.pairs.see(j, shared); };
   if (command.archive.empty()) return run_into(sink);
 
   ArchiveProvenance provenance = recording.from;
   provenance.options = correspondence_option_texts(command.odometry);
   CorrespondenceArchiveWriter archive(command.archive, provenance);
   taps.pair = [&](std::size_t i, std::size_t j, const Correspondences& shared) {
+    caught.pairs.see(j, shared);
     archive.add_pair(i, j, shared);
   };
   run_into([&](const FrameResult& result) {
@@ -135,7 +152,7 @@ Json resolved_options(const RunCommand& command, const Recording& recording) {
   return options;
 }
 
-int run(RunCommand& command, CLI::App& app) {
+int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
   if (!command.config.empty()) apply_config(app, command.config);
   command.odometry.check();
   const Recording recording = open_recording(command.path, command.dataset);
@@ -143,6 +160,9 @@ int run(RunCommand& command, CLI::App& app) {
   command.odometry.check();
   check_means(command, recording);
   RunFiles files(command.out);
+  Catch caught;
+  remove_report(command.out);
+  if (!command.no_report) caught.keeper.emplace(command.out / kReportData, recording.size());
 
   Tally tally;
   double seconds = 0;
@@ -150,24 +170,33 @@ int run(RunCommand& command, CLI::App& app) {
     Progress progress("run", recording.size(), command.quiet);
     const Clock clock = [&] { return progress.seconds(); };
     const FrameSink sink = [&](const FrameResult& result) {
-      files.add(line_of(result));
+      const Correspondences shared = caught.pairs.take(result);
+      files.add(line_of(result, parallax_deg(result.step, shared)));
+      if (caught.keeper) caught.keeper->add(result, shared);
       tally.add(result);
       progress.advance();
     };
     if (recording.archive)
-      tally.missing_pairs = run_archive(command, recording, clock, sink);
+      tally.missing_pairs = run_archive(command, recording, clock, sink, caught);
     else
-      run_images(command, recording, clock, sink);
+      run_images(command, recording, clock, sink, caught);
     seconds = progress.seconds();
   }
 
   const auto evaluation = evaluate_run(recording, command.odometry, tally);
-  const Json run = run_record(recording, resolved_options(command, recording), tally, seconds, evaluation);
-  files.write_record(run.dump(2));
+  Json run = run_record(recording, resolved_options(command, recording), tally, seconds, evaluation);
+  run["command"] = invocation.command;
+  run["machine"] = invocation.machine;
+  files.write_record(run.dump(2, ' ', false, Json::error_handler_t::replace));
+  if (caught.keeper) {
+    const Camera& camera = recording.from.calibration.camera;
+    caught.keeper->finish(camera.width, camera.height, recording.true_trajectory());
+    write_report(command.out, command.figures);
+  }
   if (command.json)
-    fmt::print("{}\n", run.dump(2));
+    fmt::print("{}\n", run.dump(2, ' ', false, Json::error_handler_t::replace));
   else if (!command.quiet)
-    print_summary(run, evaluation, command.out);
+    print_summary(run, evaluation, command.out, !command.no_report);
 
   if (tally.frames > 1 && tally.measured() <= 1)
     throw std::runtime_error(fmt::format("no motion could be measured in {} frames ({} has their statuses)",
@@ -182,14 +211,15 @@ int run(RunCommand& command, CLI::App& app) {
 
 }  // namespace
 
-void add_run(CLI::App& program, Action& action) {
+void add_run(CLI::App& program, Action& action, const Invocation& invocation) {
   const auto command = std::make_shared<RunCommand>();
   CLI::App* app = program.add_subcommand("run", "Odometry of a recording, or of the archive of one");
   app->add_option(
          "DATASET", command->path,
          "a recording (folder or video; docs/datasets.md lists the formats), or a correspondence archive")
       ->required();
-  app->add_option("--out", command->out, "folder for trajectory.tum, frames.csv and run.json")->required();
+  app->add_option("--out", command->out, "folder for trajectory.tum, frames.csv, run.json and report.html")
+      ->required();
   app->add_option("--archive", command->archive, "HDF5 file to write the correspondences of all pairs to");
   app->add_option("--export-features", command->features_folder,
                   "folder to write keypoints and descriptors to, a text file a frame");
@@ -201,6 +231,9 @@ void add_run(CLI::App& program, Action& action) {
          "or a gyroscope in its axes (EuRoC's imu0/data.csv)")
       ->capture_default_str();
   app->add_option("--config", command->config, "YAML file of these options; the command line wins");
+  app->add_flag("--no-report", command->no_report, "no report.html, and nothing kept for it");
+  app->add_option("--figures", command->figures, "folder to write the report's plots to as SVG and PNG")
+      ->excludes("--no-report");
   app->add_flag("--json", command->json, "print run.json on standard output");
   app->add_flag("--quiet", command->quiet, "print nothing but errors");
   app->footer(
@@ -210,7 +243,9 @@ void add_run(CLI::App& program, Action& action) {
       "out/mine\n"
       "  framewise run my_recording --archive mine.h5 --out out/kabsch\n"
       "  framewise run mine.h5 --solver nister-5pt --out out/nister-5pt");
-  app->callback([command, app, &action] { action = [command, app] { return run(*command, *app); }; });
+  app->callback([command, app, &action, &invocation] {
+    action = [command, app, &invocation] { return run(*command, *app, invocation); };
+  });
 }
 
 }  // namespace framewise::apps

@@ -85,7 +85,7 @@ Json run_record(const Recording& recording, const Json& options, const Tally& ta
 }
 
 void print_summary(const Json& run, const std::optional<Evaluation>& evaluation,
-                   const std::filesystem::path& out) {
+                   const std::filesystem::path& out, bool has_report) {
   std::string statuses;
   for (const auto& [status, count] : run["statuses"].items())
     if (count != 0)
@@ -102,7 +102,8 @@ void print_summary(const Json& run, const std::optional<Evaluation>& evaluation,
     fmt::print("{}", to_text(*evaluation));
   else
     fmt::print("No truth beside the recording: nothing to evaluate against.\n");
-  fmt::print("Written: {}\n", (out / "{trajectory.tum,frames.csv,run.json}").string());
+  fmt::print("Written: {}\n",
+             (out / "{trajectory.tum,frames.csv,run.json").string() + (has_report ? ",report.html}" : "}"));
 }
 
 }  // namespace framewise::apps

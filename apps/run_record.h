@@ -57,6 +57,6 @@ nlohmann::ordered_json run_record(const Recording& recording, const nlohmann::or
                                   const std::optional<Evaluation>& evaluation);
 
 void print_summary(const nlohmann::ordered_json& run, const std::optional<Evaluation>& evaluation,
-                   const std::filesystem::path& out);
+                   const std::filesystem::path& out, bool has_report);
 
 }  // namespace framewise::apps

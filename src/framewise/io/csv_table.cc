@@ -98,11 +98,17 @@ CsvTable::CsvTable(const std::filesystem::path& path) : path_(path) {
       throw InputError(path_, 1, name, "a column of this name twice", "names that differ");
 }
 
-std::size_t CsvTable::column(const std::string& name) const {
+std::optional<std::size_t> CsvTable::find(const std::string& name) const {
   const auto found = std::find(columns_.begin(), columns_.end(), name);
-  if (found == columns_.end())
-    throw InputError(path_, 1, name, "no such column", fmt::format("one among {}", fmt::join(columns_, ",")));
+  if (found == columns_.end()) return std::nullopt;
   return static_cast<std::size_t>(found - columns_.begin());
+}
+
+std::size_t CsvTable::column(const std::string& name) const {
+  const auto found = find(name);
+  if (!found)
+    throw InputError(path_, 1, name, "no such column", fmt::format("one among {}", fmt::join(columns_, ",")));
+  return *found;
 }
 
 std::optional<double> CsvTable::number(std::size_t row, std::size_t column) const {

@@ -20,6 +20,9 @@ class CsvTable {
 
   std::size_t num_rows() const { return rows_.size(); }
 
+  // Empty where the table has no such column.
+  std::optional<std::size_t> find(const std::string& name) const;
+
   // Throws InputError where the table has no such column.
   std::size_t column(const std::string& name) const;
 

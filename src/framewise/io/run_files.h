@@ -22,6 +22,7 @@ struct FrameLine {
   bool has_step = false;
   Pose world_from_cam;
   double load_ms = 0, features_ms = 0, match_ms = 0, step_ms = 0;
+  double parallax_deg = 0;  // median over the inliers of the angle between R x1 and x2; NaN without a motion
 };
 
 // Writes trajectory.tum and frames.csv line by line, so that what was computed survives a failure.
@@ -32,8 +33,8 @@ class RunFiles {
 
   void add(const FrameLine& line);
 
-  // Writes run.json, whole or not at all.
-  void write_record(const std::string& json) const;
+  // Writes run.json, whole or not at all; what was added before is then on the disk as well.
+  void write_record(const std::string& json);
 
  private:
   std::filesystem::path folder_;

@@ -1,0 +1,3 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+export async function startComparison(data) {}
