@@ -27,12 +27,12 @@ namespace fs = std::filesystem;
 
 struct CompareCommand {
   std::vector<fs::path> paths;
-  fs::path out, published;
+  fs::path out, published, figures;
   std::string grid;
   DatasetOptions dataset;
   int repeats = 1, threads = 0;
   std::uint64_t seed = 0;
-  bool quiet = false, json = false;
+  bool quiet = false, json = false, no_report = false;
 
   void check() const {
     if (repeats < 1 || repeats > 10000)
@@ -92,12 +92,20 @@ void write_results(const fs::path& out, const Comparison& comparison, const std:
   write_whole(out / "results.json", json, "--out");
 }
 
+// What the report says of the work: apart from the results, which are the same wherever they are made.
+void write_invocation(const fs::path& out, const Invocation& invocation) {
+  const nlohmann::ordered_json json = {{"command", invocation.command}, {"machine", invocation.machine}};
+  make_output_folder(out / kReportData, "--out");
+  write_whole(out / kReportData / "invocation.json",
+              json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n", "--out");
+}
+
 std::size_t count_failed(const Comparison& comparison) {
   return static_cast<std::size_t>(std::count_if(comparison.rows.begin(), comparison.rows.end(),
                                                 [](const ComparisonRow& row) { return row.failed > 0; }));
 }
 
-int compare(const CompareCommand& command, const CLI::App& app) {
+int compare(const CompareCommand& command, const CLI::App& app, const Invocation& invocation) {
   command.check();
   const Grid grid = grid_from_name(command.grid);
   std::vector<PublishedFigures> published;
@@ -120,13 +128,19 @@ int compare(const CompareCommand& command, const CLI::App& app) {
   fill_comparison(comparison, plan, outcomes, published);
   const std::string json = to_json(comparison).dump(2) + "\n";
   write_results(command.out, comparison, json);
+  remove_report(command.out);
+  if (!command.no_report) {
+    write_invocation(command.out, invocation);
+    write_report(command.out, command.figures);
+  }
 
   const std::size_t failed = count_failed(comparison);
   if (command.json)
     fmt::print("{}", json);
   else if (!command.quiet)
     fmt::print("{} rows, {} with failed repeats. Written: {}\n", comparison.rows.size(), failed,
-               (command.out / "{table.md,table.csv,table.tex,results.json}").string());
+               (command.out / "{table.md,table.csv,table.tex,results.json").string() +
+                   (command.no_report ? "}" : ",report.html}"));
   for (const ComparisonRow& row : comparison.rows)
     if (row.failed < row.repeats) return 0;
   throw std::runtime_error("every row failed; the first: " + comparison.rows.front().failure);
@@ -134,7 +148,7 @@ int compare(const CompareCommand& command, const CLI::App& app) {
 
 }  // namespace
 
-void add_compare(CLI::App& program, Action& action, const Invocation&) {
+void add_compare(CLI::App& program, Action& action, const Invocation& invocation) {
   const auto command = std::make_shared<CompareCommand>();
   CLI::App* app =
       program.add_subcommand("compare", "Many methods on the same matches of recordings, in tables");
@@ -152,13 +166,18 @@ void add_compare(CLI::App& program, Action& action, const Invocation&) {
       ->capture_default_str();
   app->add_option("--published", command->published, "CSV of figures that others published, put beside ours");
   add_dataset_options(*app, command->dataset);
+  app->add_flag("--no-report", command->no_report, "no report.html");
+  app->add_option("--figures", command->figures, "folder to write the report's plots to as SVG and PNG")
+      ->excludes("--no-report");
   app->add_flag("--json", command->json, "print results.json on standard output");
   app->add_flag("--quiet", command->quiet, "print nothing but errors");
   app->footer(
       "Examples:\n"
       "  framewise compare rgbd_dataset_freiburg1_desk --grid frame-to-frame --repeats 5 --out out/desk\n"
       "  framewise compare desk room --grid my_methods.yaml --published tables.csv --out out/mine");
-  app->callback([command, app, &action] { action = [command, app] { return compare(*command, *app); }; });
+  app->callback([command, app, &action, &invocation] {
+    action = [command, app, &invocation] { return compare(*command, *app, invocation); };
+  });
 }
 
 }  // namespace framewise::apps

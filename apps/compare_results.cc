@@ -124,6 +124,7 @@ ComparedDataset dataset_of(const PlannedDataset& planned, const Trajectory& trut
   ComparedDataset dataset;
   dataset.name = planned.label;
   dataset.path = recording.path.string();
+  dataset.folder = "datasets/" + planned.folder.filename().string();
   dataset.format = recording.from.dataset_format;
   dataset.fingerprint = recording.from.dataset_fingerprint;
   dataset.frames = recording.size();
@@ -138,6 +139,13 @@ ComparedDataset dataset_of(const PlannedDataset& planned, const Trajectory& trut
   if (const auto rpe = e.static_baseline.rpe_translation) dataset.static_rpe_translation_mm = 1e3 * *rpe;
   dataset.static_rpe_rotation_deg = e.static_baseline.rpe_rotation_deg;
   return dataset;
+}
+
+// Of all seeds, in the comparison's: rows/DATASET/FEATURES/METHOD.
+std::string folder_of(const PlannedRow& row) {
+  const fs::path method = row.runs.front().folder.parent_path(), features = method.parent_path();
+  return (fs::path("rows") / features.parent_path().filename() / features.filename() / method.filename())
+      .string();
 }
 
 class Collector {
@@ -167,6 +175,7 @@ class Collector {
     row.method = planned.method;
     row.features = planned.features;
     row.options = planned.options;
+    row.folder = folder_of(planned);
     row.published =
         published_result(published_, plan_.datasets[planned.dataset].recording.from.dataset_name, planned);
 

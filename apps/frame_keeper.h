@@ -11,12 +11,9 @@
 #include "framewise/image/frame.h"
 #include "framewise/odometry/odometer.h"
 #include "framewise/report/run_report.h"
+#include "report_files.h"
 
 namespace framewise::apps {
-
-// Where a run keeps what only its report needs, in the run's folder: truth.tum, frames.json and a small JPEG
-// for each frame that is kept.
-inline constexpr const char* kReportData = "report_data";
 
 // The matches of frames on their way, until their results come.
 class PairsInFlight {

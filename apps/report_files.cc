@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "figure_files.h"
-#include "frame_keeper.h"
 #include "framewise/io/input_error.h"
 #include "framewise/io/output_file.h"
+#include "report_comparison.h"
 #include "report_run.h"
 
 namespace framewise::apps {
@@ -30,6 +30,12 @@ void remove_report(const fs::path& folder) {
 }
 
 void write_report(const fs::path& folder, const fs::path& figures) {
+  if (is_comparison_folder(folder)) {
+    const ComparisonReport report = read_comparison(folder);
+    write_whole(folder / "report.html", comparison_page(report), "DIR");
+    if (!figures.empty()) write_figures(figures, comparison_figure_files(report));
+    return;
+  }
   if (!is_run_folder(folder))
     throw InputError(folder, 0, "DIR",
                      fs::exists(folder) ? "neither run.json nor results.json" : "no such folder",

@@ -9,6 +9,10 @@
 
 namespace framewise::apps {
 
+// Where a run or a comparison keeps what only its report needs, in its folder. Of a run: truth.tum,
+// frames.json and a small JPEG for each frame that is kept; of a comparison: invocation.json.
+inline constexpr const char* kReportData = "report_data";
+
 // Writes a file, whole or not at all. Throws InputError where it cannot be opened and std::runtime_error
 // where the disk is full.
 void write_whole(const std::filesystem::path& path, const std::string& text, const char* option);

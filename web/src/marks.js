@@ -37,7 +37,7 @@ export function markCurves(plots, ask) {
   });
   return (frame) => plots.forEach((plot, i) => {
     lines[i].setAttribute('d', `M${acrossAt(plot, frame.time).toFixed(1)} ${plot.dataset.top}V${plot.dataset.bottom}`);
-    lines[i].style.display = '';
+    lines[i].style.display = frame.time === null ? 'none' : '';
   });
 }
 

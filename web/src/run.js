@@ -30,7 +30,8 @@ function playOn(button, slider, go) {
   });
 }
 
-export async function startRun(data) {
+// Makes the page usable and returns what draws the scene.
+export function startRun(data) {
   const { frames } = data;
   const slider = document.getElementById('frame');
   const shows = [];
@@ -55,13 +56,17 @@ export async function startRun(data) {
     shows.push(matchViewer(data));
     slider.addEventListener('input', () => go(+slider.value));
     playOn(document.getElementById('play'), slider, go);
+    slider.value = 1;  // the first frame has no matches
     draw();
   }
   const redraw = async () => {
-    const show = await drawRun(frames);
-    shows[3] = show;
-    if (hasFrames) draw();
+    const show = hasFrames && (await drawRun(frames));
+    shows.length = Math.min(shows.length, 3);  // of the curves, the maps and the matches
+    if (!show) return false;
+    shows.push(show);
+    draw();
+    return true;
   };
   followTheme(redraw);
-  if (hasFrames) await redraw();
+  return redraw;
 }

@@ -17,10 +17,36 @@ function layout() {
   };
 }
 
+// plotly stands in the page as text, so that its 2 MB delay nothing: it is run when a scene is first drawn.
+function loadPlotly() {
+  const text = document.getElementById('plotly');
+  if (window.Plotly || !text) return;
+  const script = document.createElement('script');
+  script.textContent = text.textContent;
+  document.head.append(script);
+}
+
+// Whether WebGL is drawn by the processor: then a scene takes seconds in which the page stands still.
+export function drawsInSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl');
+  const names = gl?.getExtension('WEBGL_debug_renderer_info');
+  const renderer = names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(renderer);
+}
+
+let isWanted = false;
+
+export function wantScenes() {
+  isWanted = true;
+}
+
 // Draws traces {name, ink or color, points, width} into #scene; false where the page or the browser cannot.
 export async function drawScene(traces) {
   const place = document.getElementById('scene');
-  if (!place || !window.Plotly || !traces.some((one) => one.points.length > 0)) return false;
+  if (!isWanted || !place) return false;
+  loadPlotly();
+  if (!window.Plotly || !traces.some((one) => one.points.length > 0)) return false;
   place.hidden = false;
   try {
     await window.Plotly.react(place, traces.map(({ name, ink, color, points, width }) => trace(name, color ?? inkColor(ink), points, width)), layout(), { displaylogo: false, responsive: true });
@@ -53,7 +79,7 @@ function differences(frames) {
   return both.filter((_, i) => i % every === 0).flatMap((frame) => [frame.truth.slice(0, 3), frame.estimate.slice(0, 3), [null, null, null]]);
 }
 
-// The scene of a run; returns show(frame), which moves the thick frustum.
+// The scene of a run; returns show(frame), which moves the thick frustum, or null where nothing was drawn.
 export async function drawRun(frames) {
   const hasTruth = frames.some((frame) => frame.truth && frame.estimate);
   const posed = frames.filter((frame) => frame.estimate);
@@ -67,7 +93,8 @@ export async function drawRun(frames) {
     { name: 'cameras', ink: 'other', points: standing, width: 1.5 },
     { name: 'this frame', ink: 'final', points: posed.length > 0 ? frustum(posed[0].estimate, 2.5 * size) : [], width: 6 },
   ]);
+  if (!drawn) return null;
   return (frame) => {
-    if (drawn && frame.estimate) moveTrace(4, frustum(frame.estimate, 2.5 * size));
+    if (frame.estimate) moveTrace(4, frustum(frame.estimate, 2.5 * size));
   };
 }

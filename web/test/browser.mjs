@@ -32,8 +32,8 @@ export async function openPage(browser, path, { width = 1280, height = 900, them
   page.on('request', (request) => {
     if (!/^(data|blob):/.test(request.url()) && request.url() !== url) complaints.push(`request: ${request.url()}`);
   });
-  const start = performance.now();
   await page.goto(url);
-  if (javaScriptEnabled) await page.waitForFunction(() => document.documentElement.dataset.ready === 'yes', null, { timeout: 20000 });
-  return { page, complaints, seconds: (performance.now() - start) / 1000, close: () => context.close() };
+  if (javaScriptEnabled) await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: 20000 });
+  const seconds = javaScriptEnabled ? (await page.evaluate(() => +document.documentElement.dataset.ready)) / 1000 : 0;
+  return { page, complaints, seconds, close: () => context.close() };
 }

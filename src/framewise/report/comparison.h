@@ -62,10 +62,11 @@ struct ComparisonRow {
   std::optional<Spread> missing_pairs;                   // asked of the archive after a loss in vain
   std::optional<ComparedTimes> times;
   std::optional<PublishedResult> published;
+  std::string folder;  // of its runs, in the comparison's; likewise below
 };
 
 struct ComparedDataset {
-  std::string name, path, format, fingerprint;
+  std::string name, path, format, fingerprint, folder;
   std::size_t frames = 0, frames_with_depth = 0, frames_with_truth = 0;
   // Of the truth at the frames, and what a camera that never moved scores (RMSE).
   std::optional<double> path_length, static_ate, static_rpe_translation_mm, static_rpe_rotation_deg;

@@ -90,7 +90,8 @@ Object json_of(const ComparisonRow& row) {
           {"missing_pairs", json_of(row.missing_pairs)},
           {"published", json_of(row.published)},
           {"times", json_of(row.times)},
-          {"options", options}};
+          {"options", options},
+          {"folder", row.folder}};
 }
 
 Object json_of(const ComparedDataset& d) {
@@ -107,7 +108,8 @@ Object json_of(const ComparedDataset& d) {
           {"frames_with_depth", d.frames_with_depth},
           {"frames_with_truth", d.frames_with_truth},
           {"path_length_m", json_of(d.path_length)},
-          {"static_baseline", static_baseline}};
+          {"static_baseline", static_baseline},
+          {"folder", d.folder}};
 }
 
 Object json_of(const PairedOptions& s) {

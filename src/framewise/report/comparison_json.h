@@ -13,4 +13,7 @@ namespace framewise {
 // measured with a clock stands under `times`; all else repeats itself.
 nlohmann::ordered_json to_json(const Comparison& comparison);
 
+// The same back. Throws nlohmann::json::exception where the JSON is not of that form.
+Comparison comparison_from_json(const nlohmann::ordered_json& json);
+
 }  // namespace framewise

@@ -62,7 +62,7 @@ Comparison three_rows() {
   c.version = "1.2.3";
   c.grid = "lab";
   c.repeats = 5;
-  c.datasets = {{"room", "data/room", "tum", "0123", 80, 80, 80, 3.25, 0.5, 12.0, 2.0}};
+  c.datasets = {{"room", "data/room", "tum", "0123", "datasets/room", 80, 80, 80, 3.25, 0.5, 12.0, 2.0}};
   c.rows = {good_row("Kabsch", 8, true), good_row("5-point", 9, false),
             failed_row("room", "exit code 2: no, known rotation")};
   return c;
@@ -146,6 +146,21 @@ TEST(ComparisonCsv, HasALineForEachRowWithNumbersInFull) {
   EXPECT_THAT(csv, HasSubstr("dataset,method,features,solver,"));
   EXPECT_THAT(csv, HasSubstr("0.1234567890123"));
   EXPECT_THAT(csv, HasSubstr("\"exit code 2: no, known rotation\""));
+}
+
+TEST(ComparisonJson, ReadBackIsTheSame) {
+  Comparison c = three_rows();
+  c.rows[0].folder = "rows/room/ORB/Kabsch";
+  c.rows[1].published = PublishedResult{0.3, std::nullopt, 1.5, "ok"};
+  c.rows[1].times->frames_per_second.reset();
+  c.rows[1].times->mean_frames_per_second.reset();
+  c.datasets.push_back({"dark", "data/dark", "depth", "4567", "", 3, 3, 0, {}, {}, {}, {}});
+  c.rows.push_back(failed_row("dark", "why"));
+  const auto json = to_json(c);
+  EXPECT_EQ(to_json(comparison_from_json(json)).dump(1), json.dump(1));
+  auto without = json;
+  without["rows"][0].erase("errors");
+  EXPECT_THROW(comparison_from_json(without), nlohmann::json::exception);
 }
 
 TEST(ComparisonJson, HasNullAndAReasonWhereThereIsNoFigure) {

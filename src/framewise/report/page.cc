@@ -31,15 +31,15 @@ std::string html_page(const Page& page) {
   html += page_assets::style();
   html += page_plot_style();
   html += "\n</style>\n</head>\n<body>\n" + page.body + "<script type=\"application/json\" id=\"data\">" +
-          page.data + "</script>\n";
+          page.data + "</script>\n<script>\n";
+  html += page_assets::script();
+  html += "</script>\n";
   if (page.has_scene && !page_assets::plotly().empty()) {
-    html += "<script>";
+    html += "<script type=\"text/plain\" id=\"plotly\">";  // the script runs it when the page is shown
     html += page_assets::plotly();
     html += "</script>\n";
   }
-  html += "<script>\n";
-  html += page_assets::script();
-  return html + "</script>\n</body>\n</html>\n";
+  return html + "</body>\n</html>\n";
 }
 
 std::string html_section(const std::string& id, const std::string& heading, const std::string& content) {
@@ -48,6 +48,15 @@ std::string html_section(const std::string& id, const std::string& heading, cons
 
 std::string html_folded(const std::string& heading, const std::string& content) {
   return fmt::format("<details>\n<summary>{}</summary>\n{}</details>\n", html_text(heading), content);
+}
+
+std::string html_scene() {
+  if (page_assets::plotly().empty())
+    return "<p class=\"quiet\">This program was built without plotly: trajectories stand below from three "
+           "sides.</p>\n";
+  return "<button type=\"button\" id=\"draw-scene\" hidden>Draw in 3D (some seconds without a graphics "
+         "card)</button>\n"
+         "<div id=\"scene\" hidden></div>\n";
 }
 
 std::string html_hints(const std::vector<Hint>& hints) {

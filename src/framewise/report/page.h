@@ -22,6 +22,9 @@ std::string html_page(const Page& page);
 std::string html_section(const std::string& id, const std::string& heading, const std::string& content);
 std::string html_folded(const std::string& heading, const std::string& content);
 
+// Where a scene is drawn, with the button that asks for it; a sentence in a program without plotly.
+std::string html_scene();
+
 std::string html_hints(const std::vector<Hint>& hints);
 
 // A number for a page's data: as many digits as the eye needs, null for what is not finite.

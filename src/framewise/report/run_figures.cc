@@ -168,20 +168,30 @@ std::vector<Plot> frame_curves(const std::vector<ReportedFrame>& frames, const V
 
 }  // namespace
 
+double first_time(const RunReport& report) {
+  for (const ReportedFrame& frame : report.frames)
+    if (std::isfinite(frame.time)) return frame.time;
+  return 0;
+}
+
 Figures run_figures(const RunReport& report) {
   Figures figures;
   for (const auto& [name, across, up] : {std::tuple("map-xy", 0, 1), {"map-xz", 0, 2}, {"map-yz", 1, 2}})
     figures.maps.push_back(map(report, name, across, up));
-  const double start = report.frames.empty() ? 0 : report.frames.front().time;
+  const double start = first_time(report);
   Values times;
   for (const ReportedFrame& frame : report.frames) times.push_back(frame.time - start);
   if (report.evaluation) figures.curves = ErrorCurves(*report.evaluation, start).plots();
   for (Plot& plot : frame_curves(report.frames, times)) figures.curves.push_back(std::move(plot));
   figures.statuses.name = "statuses";
   figures.statuses.title = "Status of each frame";
-  figures.statuses.times = times;
-  for (const ReportedFrame& frame : report.frames) figures.statuses.inks.push_back(frame.status);
-  if (times.size() > 1) figures.statuses.end = 2 * times.back() - times[times.size() - 2];
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i])) continue;
+    figures.statuses.times.push_back(times[i]);
+    figures.statuses.inks.push_back(report.frames[i].status);
+  }
+  if (const Values& known = figures.statuses.times; known.size() > 1)
+    figures.statuses.end = 2 * known.back() - known[known.size() - 2];
   return figures;
 }
 

@@ -4,7 +4,6 @@
 
 #include "framewise/report/html.h"
 #include "framewise/report/page.h"
-#include "framewise/report/page_assets.h"
 #include "framewise/report/record_fields.h"
 #include "framewise/report/run_page_data.h"
 
@@ -98,11 +97,7 @@ std::string scene_html(const RunReport& report, const Figures& figures) {
   if (report.evaluation) html += "<span class=\"ink-truth\">truth</span> ";
   html += "<span class=\"ink-estimate\">estimate</span>";
   if (report.evaluation) html += " <span class=\"ink-difference\">difference</span>";
-  html += "</p>\n<div class=\"stage\"><div id=\"scene\" hidden></div>\n" + match_html(report) + "</div>\n";
-  if (page_assets::plotly().empty())
-    html +=
-        "<p class=\"quiet\">This program was built without plotly: the trajectory stands below from three "
-        "sides.</p>\n";
+  html += "</p>\n<div class=\"stage\"><div>" + html_scene() + "</div>\n" + match_html(report) + "</div>\n";
   html += "<div class=\"plots\" id=\"maps\">\n";
   for (const Plot& plot : figures.maps) html += "<figure>" + plot_svg(plot) + "</figure>\n";
   return html + "</div>\n";

@@ -49,7 +49,7 @@ class Poses {
 
 Json frames_json(const RunReport& report, const std::vector<std::size_t>& chosen) {
   Json frames = Json::array();
-  const double start = report.frames.empty() ? 0 : report.frames.front().time;
+  const double start = first_time(report);
   Trajectory estimate = report.estimate;
   if (report.evaluation) estimate = transformed(report.evaluation->reference_from_estimate, estimate);
   Poses estimated(estimate), true_poses(report.truth);

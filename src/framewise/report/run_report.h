@@ -48,6 +48,9 @@ struct RunReport {
   std::vector<std::string> missing;  // what could not be read or made, and why: a sentence each
 };
 
+// What times are counted from: that of the first frame that has one (s).
+double first_time(const RunReport& report);
+
 // The same curves for the page and for files.
 struct Figures {
   std::vector<Plot> maps;    // trajectories from three sides
