@@ -41,9 +41,9 @@ export function wantScenes() {
   isWanted = true;
 }
 
-// Draws traces {name, ink or color, points, width} into #scene; false where the page or the browser cannot.
+// Draws traces {name, ink or color, points, width} into #space; false where the page or the browser cannot.
 export async function drawScene(traces) {
-  const place = document.getElementById('scene');
+  const place = document.getElementById('space');
   if (!isWanted || !place) return false;
   loadPlotly();
   if (!window.Plotly || !traces.some((one) => one.points.length > 0)) return false;
@@ -59,7 +59,7 @@ export async function drawScene(traces) {
 
 export function moveTrace(index, points) {
   const [x, y, z] = [0, 1, 2].map((axis) => points.map((point) => point[axis]));
-  window.Plotly.restyle(document.getElementById('scene'), { x: [x], y: [y], z: [z] }, [index]);
+  window.Plotly.restyle(document.getElementById('space'), { x: [x], y: [y], z: [z] }, [index]);
 }
 
 const points = (frames, what) => frames.map((frame) => frame[what] ?? [null, null, null]);

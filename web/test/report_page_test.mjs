@@ -80,7 +80,7 @@ test('a run: the scene is drawn, the slider moves everything, nothing is asked o
     const { page, complaints, close } = await openPage(browser, join(run, 'report.html'), { width, theme });
     const hasPlotly = await page.locator('#plotly').count();
     assert.equal(await drawScene(page), hasPlotly ? 'drawn' : 'none');
-    if (hasPlotly) assert.ok((await coloursOf(page, '#scene')) > 20, 'the scene is empty');
+    if (hasPlotly) assert.ok((await coloursOf(page, '#space')) > 20, 'the scene is empty');
     const state = () => page.evaluate(() => [document.getElementById('match').dataset.index, document.getElementById('match-image').src,
       document.getElementById('match-lines').innerHTML, document.querySelector('svg .now').getAttribute('d'), document.querySelector('#maps .here').getAttribute('cx')]);
     await setSlider(page, 3);
@@ -243,7 +243,7 @@ test('a comparison: sorting, filtering, overlays, files', { skip }, async () => 
     await page.fill('#filter', '5-POINT');
     assert.deepEqual(await methods(), ['5-point']);
     await page.fill('#filter', '');
-    assert.match(await page.locator('.hints').innerText(), /1 row failed in every repeat: never with ORB/);
+    assert.match(await page.locator('.hints').innerText(), /rows that failed in every repeat: never with ORB \(1 in all\)/);
     assert.match(await page.locator('tr.failed').innerText(), /failed/);
 
     const lines = () => page.locator('.maps svg:first-child g[data-key]:not(.off)').count();

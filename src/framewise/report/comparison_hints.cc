@@ -76,10 +76,10 @@ class DatasetHints {
       add(true, what, rows);
   }
   void add(bool is_warning, const std::string& what, const HintedRows& rows) {
-    hints_.push_back({is_warning, rows.empty()
-                                      ? fmt::format("{}: {}.", dataset_.name, what)
-                                      : fmt::format("{}: {} row{} {}: {}.", dataset_.name, rows.size(),
-                                                    rows.size() == 1 ? "" : "s", what, named(rows))});
+    std::string text = fmt::format("{}: {}", dataset_.name, what);
+    if (!rows.empty())
+      text = fmt::format("{}: rows that {}: {} ({} in all)", dataset_.name, what, named(rows), rows.size());
+    hints_.push_back({is_warning, text + "."});
   }
   // As in the hints of a run: a scene 1 m away, moved five times more by turning.
   void say_if_it_turned() {

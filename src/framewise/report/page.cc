@@ -56,7 +56,7 @@ std::string html_scene() {
            "sides.</p>\n";
   return "<button type=\"button\" id=\"draw-scene\" hidden>Draw in 3D (some seconds without a graphics "
          "card)</button>\n"
-         "<div id=\"scene\" hidden></div>\n";
+         "<div id=\"space\" hidden></div>\n";
 }
 
 std::string html_hints(const std::vector<Hint>& hints) {

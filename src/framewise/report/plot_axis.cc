@@ -38,7 +38,7 @@ std::vector<double> log_ticks(double low, double high) {
       const double tick = digit * std::pow(10, power);
       if ((digit == 1 || decades < 2) && tick >= low && tick <= high) ticks.push_back(tick);
     }
-  return ticks;
+  return ticks.size() < 3 ? linear_ticks(low, high) : ticks;  // of a narrow axis
 }
 
 }  // namespace
