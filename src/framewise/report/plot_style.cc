@@ -27,7 +27,8 @@ std::string inks(const std::string& before, std::string_view Ink::*color) {
 
 std::string page_plot_style() {
   return fmt::format(
-      "{}.plot .grid{{stroke:var(--grid);fill:none}}.plot .axis{{color:var(--muted)}}{}"
+      "{}.plot .halo{{paint-order:stroke;stroke:var(--paper);stroke-width:3px}}"
+      ".plot .grid{{stroke:var(--grid);fill:none}}.plot .axis{{color:var(--muted)}}{}"
       "@media (prefers-color-scheme:dark){{{}}}{}",
       kShapes, inks("", &Ink::light), inks(":root:not([data-theme=light]) ", &Ink::dark),
       inks(":root[data-theme=dark] ", &Ink::dark));
@@ -35,8 +36,9 @@ std::string page_plot_style() {
 
 std::string file_plot_style() {
   return fmt::format(
-      "svg.plot{{color:#222}}{}.plot .grid{{stroke:#ddd;fill:none}}.plot .axis{{color:#555}}{}", kShapes,
-      inks("", &Ink::light));
+      "svg.plot{{color:#222}}{}.plot .halo{{paint-order:stroke;stroke:#fff;stroke-width:3px}}.plot "
+      ".grid{{stroke:#ddd;fill:none}}.plot .axis{{color:#555}}{}",
+      kShapes, inks("", &Ink::light));
 }
 
 }  // namespace framewise

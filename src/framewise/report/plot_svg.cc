@@ -68,7 +68,7 @@ void draw_levels(SvgPaper& paper, const Plot& plot, const PlotAxis& x, const Plo
     const double at = y.at(value);
     if (!std::isfinite(at)) continue;
     paper.line(x.start, at, x.start + x.length, at, "level");
-    paper.text(x.start + x.length - 4, at - 4, "end", words);
+    paper.text(x.start + x.length - 4, at - 4, "end halo", words);
   }
 }
 

@@ -106,7 +106,7 @@ TEST(RunPage, LoadsNothingAndHasNoNaN) {
 }
 
 TEST(RunPage, IsDecimatedForLongRuns) {
-  const Trajectory truth = path(3000, 0.01, 0.001), longer = path(30000, 0.01, 0.0001);
+  const Trajectory truth = path(1000, 0.01, 0.001), longer = path(6000, 0.01, 0.0001);
   EXPECT_LT(run_page(report_of(longer, longer)).size(),
             1.3 * static_cast<double>(run_page(report_of(truth, truth)).size()));
   EXPECT_LT(run_page(report_of(truth, truth)).size(), 3'000'000u);
