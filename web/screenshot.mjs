@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Framewise authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of docs/report.md: node web/screenshot.mjs RUN/report.html docs/report.png (scripts/install_chromium first).
+// The picture of docs/report.md: node web/screenshot.mjs RUN/report.html docs/report.jpg (scripts/install_chromium first).
 import { launchBrowser, openPage } from './test/browser.mjs';
 
 const [path, picture] = process.argv.slice(2);
