@@ -80,7 +80,8 @@ Eigen::Vector3d resting_place(const TrajectoryPair& unaligned, const EvaluationO
 StaticBaseline static_baseline(const TrajectoryPair& unaligned, std::vector<RelativeMotion> motions,
                                const EvaluationOptions& options) {
   TrajectoryPair still = unaligned;
-  for (Pose& pose : still.estimate.world_from_cam) pose.t = resting_place(unaligned, options);
+  const Eigen::Vector3d place = resting_place(unaligned, options);
+  for (Pose& pose : still.estimate.world_from_cam) pose.t = place;
   if (options.plane) {
     still.reference = projected(still.reference, *options.plane);
     still.estimate = projected(still.estimate, *options.plane);
