@@ -112,8 +112,8 @@ std::string data_uri(std::string_view media_type, std::string_view bytes) {
   return uri;
 }
 
-std::string figure_text(double value) {
-  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "unknown";
+std::string figure_text(double value, int digits) {
+  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "unknown";
 }
 
 }  // namespace framewise

@@ -27,7 +27,7 @@ std::string html_list(const std::vector<std::pair<std::string, std::string>>& en
 // As src of an image: data:image/jpeg;base64,...
 std::string data_uri(std::string_view media_type, std::string_view bytes);
 
-// Six significant digits; "unknown" for what is not finite.
-std::string figure_text(double value);
+// So many significant digits; "unknown" for what is not finite.
+std::string figure_text(double value, int digits = 6);
 
 }  // namespace framewise

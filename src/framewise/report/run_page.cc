@@ -19,13 +19,14 @@ std::string facts(const RunReport& report) {
   };
   std::string html = "<div class=\"cards\">\n";
   if (const auto& e = report.evaluation) {
-    html += card("ATE", figure_text(e->ate.rmse) + " m",
-                 "RMSE; never moved: " + figure_text(e->static_baseline.ate) + " m");
+    constexpr int kDigits = 3;  // at a glance; the table has more
+    html += card("ATE", figure_text(e->ate.rmse, kDigits) + " m",
+                 "RMSE; never moved: " + figure_text(e->static_baseline.ate, kDigits) + " m");
     if (e->rpe) {
       const std::string delta =
           fmt::format("RMSE over {:g} {}", e->options.relative.delta, name_of(e->options.relative.unit));
-      html += card("RPE, translation", figure_text(1e3 * e->rpe->translation.rmse) + " mm", delta);
-      html += card("RPE, rotation", figure_text(e->rpe->rotation_deg.rmse) + " deg", delta);
+      html += card("RPE, translation", figure_text(1e3 * e->rpe->translation.rmse, kDigits) + " mm", delta);
+      html += card("RPE, rotation", figure_text(e->rpe->rotation_deg.rmse, kDigits) + " deg", delta);
     }
   }
   if (const auto rate = record_number(report.record, "/frames_per_second"))
