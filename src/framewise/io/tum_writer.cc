@@ -41,7 +41,7 @@ void write_png(const fs::path& file, const cv::Mat& image, int strategy) {
     throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
 
-std::string camera_yaml(const Camera& camera, double depth_factor) {
+std::string camera_yaml(const Camera& camera, const TumWriter::DepthStorage& storage) {
   std::string text = fmt::format("# depth is registered to this camera\nmodel: {}\nwidth: {}\nheight: {}\n",
                                  name_of(camera.model), camera.width, camera.height);
   if (camera.model == CameraModel::kEquirectangular) {
@@ -54,7 +54,19 @@ std::string camera_yaml(const Camera& camera, double depth_factor) {
                 ? fmt::format("distortion: [{}, {}, {}, {}]\n", d[0], d[1], d[2], d[3])
                 : fmt::format("distortion: [{}, {}, {}, {}, {}]\n", d[0], d[1], d[2], d[3], d[4]);
   }
-  return text + fmt::format("depth_factor: {}\n", depth_factor);
+  text += fmt::format("depth_factor: {}\n", storage.factor);
+  if (storage.type == DepthType::kRange) text += fmt::format("depth_type: {}\n", name_of(storage.type));
+  if (storage.max) text += fmt::format("depth_max: {}\n", *storage.max);
+  return text;
+}
+
+cv::Mat range_per_z(const Camera& camera) {
+  cv::Mat factor(camera.height, camera.width, CV_32F, cv::Scalar(kUnknownDepth));
+  for (int v = 0; v < camera.height; ++v)
+    for (int u = 0; u < camera.width; ++u)
+      if (const auto ray = camera.bearing({u, v}); ray && ray->z() > 0)
+        factor.at<float>(v, u) = static_cast<float>(1 / ray->z());
+  return factor;
 }
 
 std::string truth_lines(const Trajectory& truth) {
@@ -80,10 +92,15 @@ void check_image(const char* name, const cv::Mat& image, int type, const char* k
 }  // namespace
 
 TumWriter::TumWriter(const fs::path& folder, const Camera& camera, double depth_factor)
-    : folder_(folder), camera_(camera), depth_factor_(depth_factor) {
+    : TumWriter(folder, camera, DepthStorage{depth_factor, DepthType::kZ, std::nullopt}) {}
+
+TumWriter::TumWriter(const fs::path& folder, const Camera& camera, const DepthStorage& storage)
+    : folder_(folder), camera_(camera), storage_(storage) {
   camera_.check();
-  if (!(depth_factor > 0))
-    throw std::invalid_argument(fmt::format("depth_factor is {}, expected a positive number", depth_factor));
+  if (!(storage.factor > 0))
+    throw std::invalid_argument(
+        fmt::format("depth_factor is {}, expected a positive number", storage.factor));
+  if (storage.type == DepthType::kRange) range_per_z_ = range_per_z(camera_);
   for (const char* list : {"rgb.txt", "depth.txt", "groundtruth.txt"})
     if (fs::exists(folder_ / list))
       throw std::invalid_argument(
@@ -97,10 +114,18 @@ TumWriter::TumWriter(const fs::path& folder, const Camera& camera, double depth_
   depth_list_ = open_output(folder_ / "depth.txt");
   rgb_list_ << "# color images\n# timestamp filename\n";
   depth_list_ << "# depth maps\n# timestamp filename\n";
-  write_whole(folder_ / "camera.yaml", camera_yaml(camera_, depth_factor_));
+  write_whole(folder_ / "camera.yaml", camera_yaml(camera_, storage_));
 }
 
-void TumWriter::add(const Frame& frame) {
+void TumWriter::write_depth(const std::string& folder, const std::string& stamp, const cv::Mat& depth,
+                            std::ofstream& list) {
+  const cv::Mat stored = range_per_z_.empty() ? depth : cv::Mat(depth.mul(range_per_z_));
+  write_png(folder_ / folder / (stamp + ".png"), depth_to_raw(stored, storage_.factor),
+            cv::IMWRITE_PNG_STRATEGY_DEFAULT);
+  list << stamp << " " << folder << "/" << stamp << ".png\n" << std::flush;
+}
+
+void TumWriter::add(const Frame& frame, const cv::Mat& true_depth) {
   check_image("color", frame.color, CV_8UC3, "8-bit colour", camera_);
   check_image("depth", frame.depth, CV_32F, "float metres", camera_);
   if (!(frame.time >= 0 && frame.time >= last_time_ + 1e-6 - 1e-9))
@@ -109,11 +134,18 @@ void TumWriter::add(const Frame& frame) {
   last_time_ = frame.time;
   const std::string stamp = fmt::format("{:.6f}", frame.time);
   write_png(folder_ / "rgb" / (stamp + ".png"), frame.color, cv::IMWRITE_PNG_STRATEGY_HUFFMAN_ONLY);
-  write_png(folder_ / "depth" / (stamp + ".png"), depth_to_raw(frame.depth, depth_factor_),
-            cv::IMWRITE_PNG_STRATEGY_DEFAULT);
   rgb_list_ << stamp << " rgb/" << stamp << ".png\n" << std::flush;
-  depth_list_ << stamp << " depth/" << stamp << ".png\n" << std::flush;
-  if (!rgb_list_ || !depth_list_)
+  write_depth("depth", stamp, frame.depth, depth_list_);
+  if (!true_depth.empty()) {
+    check_image("true_depth", true_depth, CV_32F, "float metres", camera_);
+    if (!true_depth_list_.is_open()) {
+      fs::create_directories(folder_ / "depth_true");
+      true_depth_list_ = open_output(folder_ / "depth_true.txt");
+      true_depth_list_ << "# depth maps without the sensor's faults\n# timestamp filename\n";
+    }
+    write_depth("depth_true", stamp, true_depth, true_depth_list_);
+  }
+  if (!rgb_list_ || !depth_list_ || (true_depth_list_.is_open() && !true_depth_list_))
     throw std::runtime_error(fmt::format("{}: the lists cannot be written", folder_.string()));
 }
 
@@ -121,6 +153,7 @@ void TumWriter::finish(const Trajectory& truth) {
   write_whole(folder_ / "groundtruth.txt", truth_lines(truth));
   close(rgb_list_, folder_ / "rgb.txt");
   close(depth_list_, folder_ / "depth.txt");
+  if (true_depth_list_.is_open()) close(true_depth_list_, folder_ / "depth_true.txt");
 }
 
 void TumWriter::write_text(const std::string& name, const std::string& text) {

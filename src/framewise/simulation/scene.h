@@ -27,6 +27,12 @@ struct AreaLight {
   Color radiance;
 };
 
+struct SceneOptions {
+  std::uint64_t seed = 0;    // textures, colours, and what differs from one scene of a kind to another
+  float light_cell = 0.05f;  // distance between the points where light is kept (m); coarser builds faster
+  bool lit = true;           // false: the shape alone, for those who ask for no colour
+};
+
 // What there is to see, apart from who looks and from where.
 struct Scene {
   std::vector<Vertex> vertices;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <opencv2/features2d.hpp>
@@ -36,22 +37,22 @@ bool same_bytes(const cv::Mat& a, const cv::Mat& b) {
          std::memcmp(a.data, b.data, a.total() * a.elemSize()) == 0;
 }
 
-// Whether 1 / z runs straight through the pixel, along both axes: so it does on a plane, and neither at an
-// edge nor at a crease.
-bool is_on_plane(const cv::Mat& depth, int u, int v) {
+// Whether 1 / z runs nearly straight through the pixel, along both axes: so it does on a plane, and neither
+// at an edge nor at a crease.
+bool is_smooth(const cv::Mat& depth, int u, int v, double bend) {
   const auto inverse = [&](int x, int y) { return 1.0 / depth.at<float>(y, x); };
   const double here = inverse(u, v);
-  return std::abs(inverse(u - 1, v) - 2 * here + inverse(u + 1, v)) < 2e-5 * here &&
-         std::abs(inverse(u, v - 1) - 2 * here + inverse(u, v + 1)) < 2e-5 * here;
+  return std::abs(inverse(u - 1, v) - 2 * here + inverse(u + 1, v)) < bend * here &&
+         std::abs(inverse(u, v - 1) - 2 * here + inverse(u, v + 1)) < bend * here;
 }
 
-// Depth of another frame at a subpixel, where its four pixels see planes.
+// Depth of another frame at a subpixel, where its four pixels see something nearly flat.
 std::optional<double> depth_between_pixels(const cv::Mat& depth, const Eigen::Vector2d& pixel) {
   const int u = static_cast<int>(std::floor(pixel.x())), v = static_cast<int>(std::floor(pixel.y()));
   if (u < 1 || v < 1 || u + 2 >= depth.cols || v + 2 >= depth.rows) return std::nullopt;
   double inverse = 0;
   for (int k = 0; k < 4; ++k) {
-    if (!is_on_plane(depth, u + k % 2, v + k / 2)) return std::nullopt;
+    if (!is_smooth(depth, u + k % 2, v + k / 2, 1e-4)) return std::nullopt;
     const double s = pixel.x() - u, t = pixel.y() - v;
     inverse += (k % 2 ? s : 1 - s) * (k / 2 ? t : 1 - t) / depth.at<float>(v + k / 2, u + k % 2);
   }
@@ -60,6 +61,13 @@ std::optional<double> depth_between_pixels(const cv::Mat& depth, const Eigen::Ve
 
 struct Agreement {
   int compared = 0, within_1_mm = 0;
+  std::vector<double> errors;
+
+  double median() {
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    return *middle;
+  }
 };
 
 Agreement warp(const Camera& camera, const SimulatedFrame& from, const SimulatedFrame& to) {
@@ -75,6 +83,7 @@ Agreement warp(const Camera& camera, const SimulatedFrame& from, const Simulated
       if (!z || x.z() > *z + 0.05) continue;  // hidden behind something
       ++agreement.compared;
       agreement.within_1_mm += std::abs(x.z() - *z) < 1e-3;
+      agreement.errors.push_back(std::abs(x.z() - *z));
     }
   }
   return agreement;
@@ -108,6 +117,97 @@ TEST(Simulate, DepthAndTruthAgree) {
   moved.world_from_cam.t += Eigen::Vector3d(0.01, 0.01, 0.01);
   const Agreement wrong = warp(sensor_of(kFourViews).camera, frames[0], moved);
   EXPECT_LT(wrong.within_1_mm, 0.5 * wrong.compared);
+}
+
+class TruthOfScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(TruthOfScene, DepthWarpsOntoTheSameSurface) {
+  SimulateOptions options = small_recording(3, 320);
+  options.scene = GetParam();
+  options.rate_hz = 8;
+  options.distortion = {-0.1, 0.02, 1e-3, -5e-4, 0};
+  const auto frames = recording(options);
+  for (const auto& [i, j] : {std::pair(0, 1), {1, 0}, {0, 2}, {2, 1}}) {
+    Agreement agreement = warp(sensor_of(options).camera, frames[i], frames[j]);
+    ASSERT_GT(agreement.compared, 500) << i << " to " << j;
+    EXPECT_LT(agreement.median(), 1e-4) << i << " to " << j;
+    EXPECT_GT(agreement.within_1_mm, 0.97 * agreement.compared) << i << " to " << j;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, TruthOfScene,
+                         testing::Values("room", "corridor", "mine", "race", "plane", "sphere-field"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(Simulate, SensorsWithFaultsKeepTheTruthBesideThem) {
+  SimulateOptions options = small_recording(2, 96);
+  options.scene = "plane";
+  const auto exact = recording(options);
+  EXPECT_TRUE(exact[0].true_depth.empty());
+  for (const DepthSensor sensor : {DepthSensor::kKinect, DepthSensor::kTimeOfFlight, DepthSensor::kLidar}) {
+    options.depth.sensor = sensor;
+    options.depth_max = 10;
+    options.imaging = {.exposure_time = 0.02, .blur_samples = 2, .photons = 500};
+    options.threads = 1;
+    const auto one = recording(options);
+    options.threads = 2;
+    const auto two = recording(options);
+    EXPECT_TRUE(same_bytes(one[1].true_depth, exact[1].frame.depth));
+    EXPECT_FALSE(same_bytes(one[1].frame.depth, exact[1].frame.depth));
+    EXPECT_TRUE(same_bytes(one[1].frame.depth, two[1].frame.depth)) << "whatever the threads";
+    EXPECT_TRUE(same_bytes(one[1].frame.color, two[1].frame.color)) << "whatever the threads";
+  }
+}
+
+TEST(Simulate, AHeadlampLightsTheDark) {
+  SimulateOptions options = small_recording(1, 96);
+  options.scene = "mine";
+  const auto lit = recording(options);
+  EXPECT_GT(cv::mean(lit[0].frame.gray)[0], 30);
+  options.headlamp = 0;
+  EXPECT_EQ(cv::mean(recording(options)[0].frame.gray)[0], 0);
+  options.headlamp.reset();
+  options.exposure = 0.1;
+  const double dim = cv::mean(recording(options)[0].frame.gray)[0];
+  EXPECT_LT(dim, 0.6 * cv::mean(lit[0].frame.gray)[0]);
+  EXPECT_GT(dim, 1);
+}
+
+// At its own times and between them, and no further than they last.
+TEST(Simulate, FollowsPosesThatAreGiven) {
+  SimulateOptions options = small_recording(1, 64);
+  options.scene = "plane";
+  const Path path = path_of(options);
+  for (const double time : {5.0, 5.2, 5.5, 6.0}) options.poses.add(time, path(time).world_from_cam);
+  options.frames.reset();
+  options.rate_hz = 10;
+  EXPECT_EQ(frame_count(options), 11);
+  const auto frames = recording(options);
+  ASSERT_EQ(frames.size(), 11u);
+  EXPECT_EQ(frames[0].frame.time, 5);
+  for (const auto& [frame, pose] : {std::pair(0, 0), {2, 1}, {5, 2}, {10, 3}})
+    EXPECT_LT((frames[frame].world_from_cam.matrix() - options.poses.world_from_cam[pose].matrix()).norm(),
+              1e-9);
+  options.frames = 12;
+  EXPECT_THROW(options.check(), std::invalid_argument);
+  options.frames = 11;
+  options.path = "orbit";
+  EXPECT_THROW(options.check(), std::invalid_argument);
+}
+
+TEST(Simulate, InertialReadingsCoverTheFramesAndTruthHasTheirTimes) {
+  SimulateOptions options = small_recording(10, 64);
+  EXPECT_TRUE(imu_recording(options, 10).truth.empty());
+  options.imu = ImuOptions{.rate_hz = 250};
+  const ImuRecording imu = imu_recording(options, 10);
+  ASSERT_EQ(imu.truth.size(), 76u);
+  EXPECT_EQ(imu.truth.size(), imu.readings.size());
+  const Trajectory truth = true_trajectory(options, 10);
+  for (const ImuReading& reading : imu.truth) EXPECT_TRUE(pose_at(truth, reading.time, 0)) << reading.time;
 }
 
 TEST(Simulate, SameBytesAtAnyThreadCountAndOnlyWithTheSameSeed) {
@@ -156,7 +256,9 @@ TEST(Simulate, TruthHoldsEveryFrameAndAtLeastHundredPosesASecond) {
 
 TEST(Simulate, TheSinkCanEndARecording) {
   int seen = 0;
-  simulate(small_recording(50, 64), [&](const SimulatedFrame& frame) {
+  SimulateOptions options = small_recording(50, 64);
+  options.scene = "plane";
+  simulate(options, [&](const SimulatedFrame& frame) {
     EXPECT_EQ(frame.index, seen);
     return ++seen < 4;
   });
@@ -164,9 +266,11 @@ TEST(Simulate, TheSinkCanEndARecording) {
 }
 
 TEST(Simulate, AnErrorOfTheSinkReachesTheCaller) {
-  EXPECT_THROW(simulate(small_recording(9, 64),
-                        [](const SimulatedFrame&) -> bool { throw std::runtime_error("disk is full"); }),
-               std::runtime_error);
+  SimulateOptions options = small_recording(9, 64);
+  options.scene = "plane";
+  EXPECT_THROW(
+      simulate(options, [](const SimulatedFrame&) -> bool { throw std::runtime_error("disk is full"); }),
+      std::runtime_error);
 }
 
 std::string refusal_of(const SimulateOptions& options) {
@@ -182,7 +286,8 @@ TEST(Simulate, RefusesOptionsByName) {
   SimulateOptions options;
   EXPECT_EQ(refusal_of(options), "accepted");
   options.scene = "moon";
-  EXPECT_EQ(refusal_of(options), "scene is 'moon', expected one of: room");
+  EXPECT_EQ(refusal_of(options),
+            "scene is 'moon', expected one of: room, corridor, mine, race, plane, sphere-field");
   options = {};
   options.frames = 0;
   EXPECT_THAT(refusal_of(options), testing::HasSubstr("frames is 0"));

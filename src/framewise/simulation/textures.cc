@@ -53,6 +53,14 @@ Color albedo(const Material& m, float u, float v, float footprint) {
       return texture::fruit(m, p);
     case Texture::kGlow:
       return texture::glow(m, p);
+    case Texture::kRock:
+      return texture::rock(m, p);
+    case Texture::kConcrete:
+      return texture::concrete(m, p);
+    case Texture::kGravel:
+      return texture::gravel(m, p);
+    case Texture::kPatchwork:
+      return texture::patchwork(m, p);
     case Texture::kOutdoors:
       return texture::outdoors(m, p);
   }

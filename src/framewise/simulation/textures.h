@@ -31,6 +31,10 @@ enum class Texture {
   kLeaf,       // veins on green
   kFruit,      // speckles
   kGlow,       // lamp shade that shines
+  kRock,       // layers from a to b, cracks
+  kConcrete,   // cast panels from a to b
+  kGravel,     // stones from a to b
+  kPatchwork,  // squares within squares around the mean of a and b
   kOutdoors,   // what is seen through the window
 };
 
