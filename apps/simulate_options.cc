@@ -67,8 +67,8 @@ void add_camera_options(CLI::App& app, SimulateChoice& choice) {
     return app.add_option(name, value, what)->group(group);
   };
   add("--distortion", choice.distortion, "k1 k2 p1 p2 k3 of the lens")->expected(4, 5)->delimiter(',');
-  add("--headlamp", options.headlamp,
-      "a lamp at the camera: its light at 1 m, 0 for none; default: the scene's");
+  add("--headlamp", options.headlamp, "a lamp at the camera: its light at 1 m (a mine needs 12); 0: none")
+      ->capture_default_str();
   add("--exposure", options.exposure, "times the usual light")->capture_default_str();
   add("--exposure-time", imaging.exposure_time, "motion blur: how long the shutter is open (s)");
   add("--blur-samples", imaging.blur_samples, "instants a blurred frame is the mean of")
@@ -85,6 +85,8 @@ void add_sensor_options(CLI::App& app, SimulateChoice& choice) {
     return app.add_option(name, value, what)->group("Depth");
   };
   depth("--depth", choice.depth, "exact, kinect, tof, lidar; with faults, depth_true is written beside it")
+      ->capture_default_str();
+  depth("--depth-noise", choice.options.depth.noise, "times the sensor's usual; 0: exact where it sees")
       ->capture_default_str();
   depth("--depth-type", choice.depth_type, "what is stored: z, or range along the ray")
       ->capture_default_str();
@@ -164,6 +166,7 @@ nlohmann::ordered_json record_of(const SimulateOptions& options, const TumWriter
                                    {"gamma", imaging.gamma},
                                    {"vignetting", imaging.vignetting},
                                    {"depth", depth_sensor_names()[static_cast<int>(options.depth.sensor)]},
+                                   {"depth_noise", options.depth.noise},
                                    {"depth_type", name_of(storage.type)},
                                    {"depth_max", sensor.max_depth},
                                    {"depth_factor", storage.factor}};

@@ -57,7 +57,7 @@ std::vector<bool> lit_by_projector(const float* depth, int width, double focal_t
   return lit;
 }
 
-double on_lattice(double value, double step) { return step * std::round(value / step); }
+double on_lattice(double value, double step) { return step > 0 ? step * std::round(value / step) : value; }
 
 // z / range of each pixel, 0 where a pixel has no ray.
 cv::Mat z_per_range(const Camera& camera) {
@@ -86,6 +86,17 @@ cv::Mat lidar_pixels(const Camera& camera, const LidarOptions& options) {
     }
   }
   return shot;
+}
+
+DepthSensorOptions with_noise_scaled(DepthSensorOptions options) {
+  options.check();
+  options.kinect.noise.floor *= options.noise;
+  options.kinect.noise.growth *= options.noise;
+  options.kinect.step_px *= options.noise;
+  options.time_of_flight.sigma_1m *= options.noise;
+  if (options.noise == 0) options.time_of_flight.edge = std::numeric_limits<double>::infinity();
+  options.lidar.sigma *= options.noise;
+  return options;
 }
 
 }  // namespace
@@ -169,8 +180,15 @@ double usual_reach(DepthSensor sensor) {
   return 10;
 }
 
-cv::Mat measure_depth(const SurfaceImage& surface, const Camera& camera, const DepthSensorOptions& options,
+void DepthSensorOptions::check() const {
+  if (!(noise >= 0 && noise <= 100))
+    throw std::invalid_argument("depth noise is " + std::to_string(noise) +
+                                ", expected 0 (none) to 100 times the sensor's usual");
+}
+
+cv::Mat measure_depth(const SurfaceImage& surface, const Camera& camera, const DepthSensorOptions& usual,
                       std::uint64_t seed) {
+  const DepthSensorOptions options = with_noise_scaled(usual);
   switch (options.sensor) {
     case DepthSensor::kExact:
       break;

@@ -23,7 +23,7 @@ struct KinectOptions {
   DepthNoise noise;
   double baseline = 0.075;  // from camera to projector, along x (m)
   double focal_px = 580;    // of the infrared camera
-  double step_px = 0.125;   // of disparity: an eighth of its pixels
+  double step_px = 0.125;   // of disparity: an eighth of its pixels; 0: none
   double nearest = 0.45;    // m
   double grazing = 0.2;     // least cosine between ray and normal
   double edge = 0.05;       // jump between neighbours that loses both (share of the depth)
@@ -66,6 +66,10 @@ struct DepthSensorOptions {
   KinectOptions kinect;
   TimeOfFlightOptions time_of_flight;
   LidarOptions lidar;
+  double noise = 1;  // times the sensor's usual, steps and mixtures too; 0: what it sees, it sees exactly
+
+  // Throws std::invalid_argument naming the option, what was found and what was expected.
+  void check() const;
 };
 
 // exact, kinect, tof, lidar: in the order of the enumerators.

@@ -15,12 +15,12 @@ namespace framewise {
 
 const std::vector<SceneKind>& scene_kinds() {
   static const std::vector<SceneKind> kinds{
-      {"room", room_scene, room_space(), "handheld", 0},
-      {"corridor", corridor_scene, corridor_space(), "walk", 0},
-      {"mine", mine_scene, mine_space(), "walk", 12},
-      {"race", race_scene, race_space(), "drone-race", 0},
-      {"plane", plane_scene, plane_space(), "handheld", 0},
-      {"sphere-field", sphere_field_scene, sphere_field_space(), "orbit", 0},
+      {"room", room_scene, room_space(), "handheld"},
+      {"corridor", corridor_scene, corridor_space(), "walk"},
+      {"mine", mine_scene, mine_space(), "walk", false},
+      {"race", race_scene, race_space(), "drone-race"},
+      {"plane", plane_scene, plane_space(), "handheld"},
+      {"sphere-field", sphere_field_scene, sphere_field_space(), "orbit"},
   };
   return kinds;
 }

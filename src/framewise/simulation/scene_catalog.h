@@ -16,7 +16,7 @@ struct SceneKind {
   Scene (*build)(const SceneOptions&);
   PathSpace space;  // whatever the seed
   std::string default_path;
-  double headlamp;  // that is carried unless said otherwise; 0 where the scene has light of its own
+  bool is_lit = true;  // false: dark but for a headlamp
 };
 
 const std::vector<SceneKind>& scene_kinds();

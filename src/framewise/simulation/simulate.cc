@@ -123,6 +123,7 @@ void SimulateOptions::check() const {
     refuse("light_cell", std::to_string(light_cell), "0.01 to 10 m");
   if (imu) imu->check();
   imaging.check(1 / rate_hz);
+  depth.check();
   sensor_of(*this).check();
   if (const int most = frames_of_poses(*this); frames.value_or(1) > most)
     refuse("frames", std::to_string(*frames),
@@ -139,7 +140,7 @@ RgbdOptions sensor_of(const SimulateOptions& options) {
   sensor.camera.distortion = options.distortion;
   sensor.max_depth = options.depth_max.value_or(usual_reach(options.depth.sensor));
   sensor.exposure = options.exposure;
-  sensor.headlamp = options.headlamp.value_or(scene_kind(options.scene).headlamp);
+  sensor.headlamp = options.headlamp;
   return sensor;
 }
 

@@ -31,7 +31,7 @@ struct SimulateOptions {
   float light_cell = 0.05f;            // finest shadow (m); coarser starts sooner
   std::array<double, 5> distortion{};  // k1 k2 p1 p2 k3 of the lens
   double exposure = 1;                 // times the usual amount of light
-  std::optional<double> headlamp;      // light it throws at 1 m; none: what the scene needs
+  double headlamp = 0;                 // light it throws at 1 m; the mine has no other
   ImagingOptions imaging;
   DepthSensorOptions depth;
   std::optional<double> depth_max;  // farther is unknown (m); none: the depth sensor's usual reach
