@@ -8,8 +8,7 @@
 #include <memory>
 
 #include "commands.h"
-#include "framewise/io/imu_writer.h"
-#include "framewise/io/tum_writer.h"
+#include "framewise/io/recording_writer.h"
 #include "progress.h"
 #include "simulate_options.h"
 
@@ -43,7 +42,7 @@ class InterruptNote {
 };
 
 // How many frames were written.
-int write_frames(const SimulateOptions& options, bool quiet, TumWriter& writer) {
+int write_frames(const SimulateOptions& options, bool quiet, RecordingWriter& writer) {
   const InterruptNote note;
   Progress progress("simulate", frame_count(options), quiet);
   int written = 0;
@@ -58,19 +57,21 @@ int write_frames(const SimulateOptions& options, bool quiet, TumWriter& writer) 
 
 int run(const SimulateCommand& command) {
   const SimulateOptions options = resolved(command.choice);
-  const TumWriter::DepthStorage storage = depth_storage(options, command.choice.depth_type);
-  TumWriter writer(command.out, sensor_of(options).camera, storage);
-  const int written = write_frames(options, command.quiet, writer);
-  writer.finish(true_trajectory(options, written));
+  const DepthStorage storage = depth_storage(options, command.choice);
+  const auto writer = recording_writer(command.choice.layout, command.out, sensor_of(options).camera, storage,
+                                       options.rate_hz);
+  if (!scene_of(options).is_lit && options.headlamp == 0 && !command.quiet)
+    fmt::print(stderr, "{} has no light of its own: colour is black without --headlamp\n", options.scene);
+  const int written = write_frames(options, command.quiet, *writer);
+  writer->finish(true_trajectory(options, written));
   if (options.imu) {
     const ImuRecording imu = imu_recording(options, written);
-    write_imu(command.out / "imu.csv", imu.readings);
-    write_imu(command.out / "imu_true.csv", imu.truth);
+    writer->write_imu(imu.readings, imu.truth, options.imu->rate_hz);
   }
-  nlohmann::ordered_json record = record_of(options, storage);
+  nlohmann::ordered_json record = record_of(options, command.choice, storage);
   record["frames"] = written;
   const std::string text = record.dump(2) + "\n";
-  writer.write_text("simulation.json", text);
+  writer->write_text("simulation.json", text);
   const bool whole = written == frame_count(options);
   if (command.json)
     fmt::print("{}", text);
@@ -83,8 +84,7 @@ int run(const SimulateCommand& command) {
 
 void add_simulate(CLI::App& program, Action& action) {
   const auto command = std::make_shared<SimulateCommand>();
-  CLI::App* app =
-      program.add_subcommand("simulate", "A ray-traced recording with exact truth, in TUM RGB-D layout");
+  CLI::App* app = program.add_subcommand("simulate", "A ray-traced recording with exact truth");
   app->add_option("--out", command->out, "folder to create")->required();
   add_simulate_options(*app, command->choice);
   app->add_flag("--json", command->json, "print simulation.json on standard output");
@@ -92,6 +92,8 @@ void add_simulate(CLI::App& program, Action& action) {
   app->footer(
       "Examples:\n  framewise simulate room --frames 300 --out data/room\n"
       "  framewise simulate room --path drone-race --exposure-time 0.01 --imu-rate 500 --out data/fast\n"
+      "  framewise simulate --mesh model.glb --mesh-up y --path poses.txt --out data/model\n"
+      "  framewise simulate mine --headlamp 12 --depth lidar --layout kitti-depth --out data/mine\n"
       "  framewise simulate room --depth kinect --photons 200 --exposure 0.3 --out data/dusk");
   app->callback([command, &action] { action = [command] { return run(*command); }; });
 }

@@ -10,6 +10,7 @@
 #include "framewise/io/camera_file.h"
 #include "framewise/io/input_error.h"
 #include "framewise/io/trajectory_files.h"
+#include "framewise/simulation/mesh_scene.h"
 #include "framewise/simulation/path.h"
 #include "framewise/simulation/scene_catalog.h"
 
@@ -33,6 +34,19 @@ Trajectory read_path(const std::string& file) {
   return read.trajectory;
 }
 
+void choose_scene(const SimulateChoice& choice, SimulateOptions& options) {
+  if (choice.mesh_file.empty() == options.scene.empty())
+    throw std::invalid_argument(
+        fmt::format("scene is '{}' and mesh '{}', expected one of the two (scenes: {})", options.scene,
+                    choice.mesh_file, names_of_scenes()));
+  if (choice.mesh_file.empty()) return;
+  if (choice.mesh_up != "y" && choice.mesh_up != "z")
+    throw std::invalid_argument(fmt::format("mesh-up is '{}', expected y or z", choice.mesh_up));
+  MeshFileOptions how = choice.mesh;
+  how.up = choice.mesh_up == "y" ? UpAxis::kY : UpAxis::kZ;
+  options.mesh = std::make_shared<const Mesh>(read_mesh(choice.mesh_file, how));
+}
+
 void choose_path(const std::string& path, SimulateOptions& options) {
   const auto& names = path_names();
   if (path.empty() || std::find(names.begin(), names.end(), path) != names.end())
@@ -46,7 +60,16 @@ void choose_path(const std::string& path, SimulateOptions& options) {
 
 void add_scene_options(CLI::App& app, SimulateChoice& choice) {
   SimulateOptions& options = choice.options;
-  app.add_option("SCENE", options.scene, names_of_scenes())->required();
+  options.scene.clear();
+  app.add_option("SCENE", options.scene, names_of_scenes());
+  const char* group = "A model in place of a scene";
+  app.add_option("--mesh", choice.mesh_file, "OBJ, PLY, STL, glTF, ...: metres, z up")->group(group);
+  app.add_option("--mesh-scale", choice.mesh.scale, "metres in one of its units")
+      ->group(group)
+      ->capture_default_str();
+  app.add_option("--mesh-up", choice.mesh_up, "its axis that is up: y or z")
+      ->group(group)
+      ->capture_default_str();
   app.add_option(
       "--path", choice.path,
       fmt::format("{}; or a file of TUM poses; default: the scene's own", fmt::join(path_names(), ", ")));
@@ -55,6 +78,8 @@ void add_scene_options(CLI::App& app, SimulateChoice& choice) {
   app.add_option("--seed", options.seed, "of textures, path and noise")->capture_default_str();
   app.add_option("--width", options.width, "pixels; the field of view stays the same")->capture_default_str();
   app.add_option("--height", options.height, "pixels")->capture_default_str();
+  app.add_option("--layout", choice.layout, fmt::format("{}", fmt::join(recording_layouts(), ", ")))
+      ->capture_default_str();
   app.add_option("--threads", options.threads, "0: all cores; the bytes are the same with any number")
       ->capture_default_str();
 }
@@ -113,42 +138,55 @@ void add_simulate_options(CLI::App& app, SimulateChoice& choice) {
 
 SimulateOptions resolved(const SimulateChoice& choice) {
   SimulateOptions options = choice.options;
+  choose_scene(choice, options);
   choose_path(choice.path, options);
   std::copy(choice.distortion.begin(), choice.distortion.end(), options.distortion.begin());
   options.depth.sensor = depth_sensor_from_name(choice.depth);
   if (choice.imu.rate_hz != 0) options.imu = choice.imu;
   options.check();
+  const RgbdSensor lens(sensor_of(options));  // refuses distortion that leaves a pixel without a ray
+  if (options.mesh && !is_anything_in_view(options)) {
+    const Eigen::AlignedBox3d box = bounds_of(*options.mesh);
+    throw std::invalid_argument(
+        fmt::format("mesh: found no face in view on path {}, expected one in some frame; it spans "
+                    "({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m",
+                    choice.path.empty() ? path_name(options) : choice.path, box.min().x(), box.min().y(),
+                    box.min().z(), box.max().x(), box.max().y(), box.max().z()));
+  }
   return options;
 }
 
-TumWriter::DepthStorage depth_storage(const SimulateOptions& options, const std::string& depth_type) {
-  const auto type = depth_type_from_name(depth_type);
-  if (!type) throw std::invalid_argument(fmt::format("depth-type is '{}', expected z or range", depth_type));
+DepthStorage depth_storage(const SimulateOptions& options, const SimulateChoice& choice) {
+  const auto type = depth_type_from_name(choice.depth_type);
+  if (!type)
+    throw std::invalid_argument(fmt::format("depth-type is '{}', expected z or range", choice.depth_type));
   const double reach = sensor_of(options).max_depth;
-  TumWriter::DepthStorage storage;
+  DepthStorage storage;
   storage.type = *type;
   if (*type == DepthType::kRange) {
     storage.max = reach;
     storage.factor = 65535 / reach;
     return storage;
   }
-  if (options.depth.sensor == DepthSensor::kLidar || reach > 65)
+  if (choice.layout == "kitti-depth" || options.depth.sensor == DepthSensor::kLidar || reach > 65)
     storage.factor = 256;
   else if (reach > 13.1)
     storage.factor = 1000;
   if (reach > 65535 / storage.factor)
     throw std::invalid_argument(
-        fmt::format("depth-max is {}, expected at most {:.0f} m", reach, 65535 / storage.factor));
+        fmt::format("depth-max is {:.4g}, expected at most {:.0f} m", reach, 65535 / storage.factor));
   if (reach != CameraFile().depth_max) storage.max = reach;
   return storage;
 }
 
-nlohmann::ordered_json record_of(const SimulateOptions& options, const TumWriter::DepthStorage& storage) {
+nlohmann::ordered_json record_of(const SimulateOptions& options, const SimulateChoice& choice,
+                                 const DepthStorage& storage) {
   const RgbdOptions sensor = sensor_of(options);
   const ImagingOptions& imaging = options.imaging;
   nlohmann::ordered_json record = {{"version", FRAMEWISE_VERSION},
-                                   {"scene", options.scene},
-                                   {"path", path_name(options)},
+                                   {"scene", options.mesh ? "mesh" : options.scene},
+                                   {"path", options.poses.empty() ? path_name(options) : choice.path},
+                                   {"layout", choice.layout},
                                    {"frames", frame_count(options)},
                                    {"rate", options.rate_hz},
                                    {"seed", options.seed},
@@ -170,6 +208,8 @@ nlohmann::ordered_json record_of(const SimulateOptions& options, const TumWriter
                                    {"depth_type", name_of(storage.type)},
                                    {"depth_max", sensor.max_depth},
                                    {"depth_factor", storage.factor}};
+  if (options.mesh)
+    record["mesh"] = {{"file", choice.mesh_file}, {"scale", choice.mesh.scale}, {"up", choice.mesh_up}};
   if (options.imu)
     record["imu"] = {{"rate", options.imu->rate_hz},
                      {"gyro_noise", options.imu->gyroscope_noise},

@@ -16,6 +16,9 @@ pkg_search_module(HDF5 REQUIRED IMPORTED_TARGET GLOBAL hdf5-serial hdf5)
 # Its own CMake file wants the programs of another package.
 pkg_search_module(LIBZIP REQUIRED IMPORTED_TARGET GLOBAL libzip)
 
+# Its CMake files name libraries that some distributions do not ship.
+pkg_search_module(ASSIMP REQUIRED IMPORTED_TARGET GLOBAL assimp)
+
 # OpenEXR 3 calls its library OpenEXR, OpenEXR 2 (Ubuntu 22.04) calls it IlmImf.
 find_package(OpenEXR REQUIRED)
 set(FRAMEWISE_OPENEXR OpenEXR::OpenEXR)

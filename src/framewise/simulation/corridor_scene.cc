@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr int kBays = 15;
-constexpr float kBay = 4, kLength = kBays * kBay, kHalfWidth = 1.2f, kHeight = 2.6f;
-constexpr float kPi = static_cast<float>(M_PI);
+constexpr float kBay = 4, kCorridorLength = kBays * kBay, kHalfWidth = 1.2f, kCorridorHeight = 2.6f;
+constexpr float kHalfTurn = static_cast<float>(M_PI);
 
 // A door in the wall behind, as wide as 0.95 m, with its frame and sign.
 void door(MeshBuilder& builder, Random& random, float at) {
@@ -34,7 +34,7 @@ void side(MeshBuilder& builder, std::uint64_t seed) {
       panel{Texture::kConcrete, srgb(0x8898a0), srgb(0x707c88), random.seed()},
       rail = wood_of(random, srgb(0x6a4a30), srgb(0x8a6a48));
   builder.set_cell_factor(4);
-  builder.quad({0, 0, 1.0f}, {kBay, 0, 0}, {0, 0, kHeight - 1.0f}, plaster);
+  builder.quad({0, 0, 1.0f}, {kBay, 0, 0}, {0, 0, kCorridorHeight - 1.0f}, plaster);
   builder.quad({0, 0, 0}, {kBay, 0, 0}, {0, 0, 1.0f}, panel);
   builder.set_cell_factor(2);
   door(builder, random, 0.9f);
@@ -52,20 +52,21 @@ void side(MeshBuilder& builder, std::uint64_t seed) {
 void floor_and_ceiling(MeshBuilder& builder, Random& random) {
   builder.place({0, 0, 0});
   builder.set_cell_factor(5);
-  const Vector3f corner(0, -kHalfWidth, 0), x(kLength, 0, 0), y(0, 2 * kHalfWidth, 0), z(0, 0, kHeight);
+  const Vector3f corner(0, -kHalfWidth, 0), x(kCorridorLength, 0, 0), y(0, 2 * kHalfWidth, 0),
+      z(0, 0, kCorridorHeight);
   builder.quad(corner, x, y, {Texture::kPlanks, srgb(0x8a8478), srgb(0xa8a290), random.seed()});
   builder.quad(corner + z + y, x, -y, {Texture::kConcrete, srgb(0xe0dcd0), srgb(0xd0ccc0), random.seed()});
   const Material ends{Texture::kPlaster, srgb(0xb8a890), srgb(0xa89478), random.seed()};
   builder.quad(corner, y, z, ends);
   builder.quad(corner + x + y, -y, z, ends);
-  builder.place({0, 0, 1.6f}, 0.5f * kPi);
+  builder.place({0, 0, 1.6f}, 0.5f * kHalfTurn);
   wall_board(builder, random, 1.2f);
-  builder.place({kLength, 0, 1.6f}, -0.5f * kPi);
+  builder.place({kCorridorLength, 0, 1.6f}, -0.5f * kHalfTurn);
   wall_board(builder, random, 0.9f);
 }
 
 void lamp(Scene& scene, MeshBuilder& builder, float x) {
-  const float below = kHeight - 0.07f;
+  const float below = kCorridorHeight - 0.07f;
   Material shade{Texture::kGlow, srgb(0xfff8e8), srgb(0xe8e0c8), 5, 1.2f, 0.3f};
   shade.emission = 1.1f;
   builder.place({x, 0, 0});
@@ -86,7 +87,7 @@ Scene corridor_scene(const SceneOptions& options) {
     const float x = kBay * static_cast<float>(bay);
     builder.place({x, kHalfWidth, 0}, 0);
     side(builder, left);
-    builder.place({x + kBay, -kHalfWidth, 0}, kPi);
+    builder.place({x + kBay, -kHalfWidth, 0}, kHalfTurn);
     side(builder, right);
     lamp(scene, builder, x + 0.5f * kBay);
   }
@@ -97,7 +98,7 @@ Scene corridor_scene(const SceneOptions& options) {
 PathSpace corridor_space() {
   PathSpace space{{Vector3d(25, -0.45, 1.3), Vector3d(33, 0.45, 1.8)}, -4 * M_PI / 180, {}};
   constexpr double kAside = 0.4, kEnd = 3, kEye = 1.55;
-  const double far = kLength - kEnd;
+  const double far = kCorridorLength - kEnd;
   for (double x = kEnd; x <= far; x += 3) space.route.push_back({x, -kAside, kEye});
   space.route.push_back({far + kAside, 0, kEye});
   for (double x = far; x >= kEnd; x -= 3) space.route.push_back({x, kAside, kEye});

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr double kPi = M_PI;
-constexpr double kLength = 95;       // about, of the middle line (m)
+constexpr double kWayLength = 95;    // about, of the middle line (m)
 constexpr double kRadius = 1.85;     // of the gallery, before the rock's roughness (m)
 constexpr double kRoughness = 0.42;  // beyond which rock stands neither out nor back (m)
 constexpr double kFloor = 1.45;      // below the middle line (m)
@@ -39,7 +39,7 @@ class Roughness {
       const double length = 6 * std::pow(0.04, k / 63.0);  // of the wave (m), 6 to 0.24
       const double direction = random.uniform(0, kPi);
       waves_.push_back({std::round(2 * kPi * kRadius / length * std::cos(direction)),
-                        std::round(kLength / length * std::sin(direction)), 0.055 * std::pow(length, 0.8),
+                        std::round(kWayLength / length * std::sin(direction)), 0.055 * std::pow(length, 0.8),
                         random.uniform(0, 2 * kPi)});
     }
   }
@@ -61,7 +61,7 @@ class Roughness {
 void rock(MeshBuilder& builder, Random& random, float cell) {
   const Roughness roughness(random);
   const Material stone{Texture::kRock, srgb(0x8a7a68), srgb(0x5a5450), random.seed()};
-  const int along = std::max(64, static_cast<int>(kLength / cell)),
+  const int along = std::max(64, static_cast<int>(kWayLength / cell)),
             around = std::max(24, static_cast<int>(2 * kPi * kRadius / cell));
   builder.sheet(along + 1, around + 1, false, stone, [&](float s, float t) {
     const double angle = 2 * kPi * static_cast<double>(s), turn = 2 * kPi * (static_cast<double>(t) - 0.25);
@@ -70,7 +70,7 @@ void rock(MeshBuilder& builder, Random& random, float cell) {
         middle(angle) + radius * (std::cos(turn) * left(angle) + std::sin(turn) * Vector3d::UnitZ());
     return Vertex{point.cast<float>(),
                   {},
-                  {static_cast<float>(kLength) * s, static_cast<float>(2 * kPi * kRadius) * t},
+                  {static_cast<float>(kWayLength) * s, static_cast<float>(2 * kPi * kRadius) * t},
                   {}};
   });
 }
@@ -79,11 +79,11 @@ void ground(MeshBuilder& builder, Random& random, float cell) {
   const Material gravel{Texture::kGravel, srgb(0x6a6058), srgb(0x4a4642), random.seed()};
   const float width = 3.6f;
   const std::uint32_t seed = random.seed();
-  const int along = std::max(64, static_cast<int>(kLength / cell)),
+  const int along = std::max(64, static_cast<int>(kWayLength / cell)),
             across = std::max(4, static_cast<int>(width / cell));
   builder.sheet(along + 1, across + 1, false, gravel, [&](float s, float t) {
     const double angle = 2 * kPi * static_cast<double>(s);
-    const float u = static_cast<float>(kLength) * s, v = width * (t - 0.5f);
+    const float u = static_cast<float>(kWayLength) * s, v = width * (t - 0.5f);
     const Vector3d point = middle(angle) + static_cast<double>(v) * left(angle) - Vector3d(0, 0, kFloor);
     // Level where the way closes, so that it does.
     const float fade = std::min(1.0f, 20 * std::min(s, 1 - s));

@@ -14,15 +14,15 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr float kLength = 44, kWidth = 26, kHeight = 9;
+constexpr float kHallLength = 44, kHallWidth = 26, kHallHeight = 9;
 
 std::vector<Vector3d> gates() {
   return {{6, 6, 1.8},   {16, 4.5, 1.8}, {27, 5.5, 2.4},  {37, 6.5, 3.2}, {40, 13, 2.8},
           {34, 20, 1.9}, {25, 18, 2.2},  {15, 21.5, 3.0}, {6, 20, 2.4},   {4, 13, 1.8}};
 }
 
-void shell(MeshBuilder& builder, Random& random) {
-  const Vector3f x(kLength, 0, 0), y(0, kWidth, 0), z(0, 0, kHeight);
+void race_hall(MeshBuilder& builder, Random& random) {
+  const Vector3f x(kHallLength, 0, 0), y(0, kHallWidth, 0), z(0, 0, kHallHeight);
   const auto wall = [&](std::uint32_t a, std::uint32_t b) {
     return Material{Texture::kConcrete, srgb(a), srgb(b), random.seed()};
   };
@@ -62,13 +62,13 @@ void banners(MeshBuilder& builder, Random& random) {
     builder.box({-1.6f, -0.03f, 0}, {3.2f, 0.03f, 2.0f}, print);
   };
   const float pi = static_cast<float>(M_PI);
-  for (float x = 4; x < kLength; x += 6) {
-    hang({x, kWidth, 2.2f}, 0);
+  for (float x = 4; x < kHallLength; x += 6) {
+    hang({x, kHallWidth, 2.2f}, 0);
     hang({x, 0, 2.2f}, pi);
   }
-  for (float y = 4; y < kWidth; y += 6) {
+  for (float y = 4; y < kHallWidth; y += 6) {
     hang({0, y, 2.2f}, 0.5f * pi);
-    hang({kLength, y, 2.2f}, -0.5f * pi);
+    hang({kHallLength, y, 2.2f}, -0.5f * pi);
   }
 }
 
@@ -76,7 +76,7 @@ void things_on_the_floor(MeshBuilder& builder, Random& random) {
   builder.place({0, 0, 0});
   const Material steel{Texture::kRock, srgb(0x6a7078), srgb(0x8a9098), random.seed()};
   for (const float x : {11.0f, 33.0f})
-    for (const float y : {9.5f, 16.0f}) builder.cylinder({x, y, 0}, 0.3f, kHeight, steel);
+    for (const float y : {9.5f, 16.0f}) builder.cylinder({x, y, 0}, 0.3f, kHallHeight, steel);
   constexpr float kCrates[][3] = {{10, 1.2f, 1.1f},  {21, 1.5f, 0.9f}, {31, 24.6f, 1.2f}, {42.4f, 22, 1.0f},
                                   {19, 24.5f, 0.8f}, {1.6f, 24, 1.3f}, {42.5f, 3, 1.2f},  {30, 12.5f, 0.7f}};
   for (const auto& at : kCrates) carton(builder, random, {at[0], at[1], 0}, at[2]);
@@ -86,7 +86,7 @@ std::vector<AreaLight> ceiling_lights() {
   std::vector<AreaLight> lights;
   for (const float x : {3.0f, 17.0f, 31.0f})
     for (const float y : {5.0f, 17.0f})
-      lights.push_back({{x, y + 4, kHeight - 0.02f}, {10, 0, 0}, {0, -4, 0}, Color{4.2f, 4.2f, 4.0f}});
+      lights.push_back({{x, y + 4, kHallHeight - 0.02f}, {10, 0, 0}, {0, -4, 0}, Color{4.2f, 4.2f, 4.0f}});
   return lights;
 }
 
@@ -97,7 +97,7 @@ Scene race_scene(const SceneOptions& options) {
   MeshBuilder builder(scene, options.light_cell);
   Random random(options.seed ^ 0x4761746573u);
   builder.place({0, 0, 0});
-  shell(builder, random);
+  race_hall(builder, random);
   const auto all = gates();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Vector3d way = all[(i + 1) % all.size()] - all[(i + all.size() - 1) % all.size()];

@@ -110,7 +110,7 @@ Color shade(const View& view, const Hits8& hits, int i, const Vector3f& ray_in_c
   const float slant = std::max(0.1f, std::abs(at.normal.dot(direction)) / length);
   // Between the short and the long side of the pixel's foot on the surface.
   const float footprint = part_of_pixel * hits.t[i] * length * view.pixel_angle / std::sqrt(slant);
-  const Color reflectance = albedo(*at.material, at.u, at.v, footprint);
+  const Color reflectance = albedo(*at.material, at.u, at.v, footprint) * at.tint;
   Color seen = at.material->emission > 0 ? reflectance * at.material->emission : reflectance * at.light;
   if (view.options.headlamp > 0)
     seen += reflectance *
@@ -249,9 +249,9 @@ void RgbdOptions::check() const {
                                 ", expected a positive number of metres");
   if (edge_samples != 1 && edge_samples != 4)
     throw std::invalid_argument("edge_samples is " + std::to_string(edge_samples) + ", expected 1 or 4");
-  if (!(exposure > 0))
+  if (!(exposure > 0 && std::isfinite(exposure)))
     throw std::invalid_argument("exposure is " + std::to_string(exposure) + ", expected a positive number");
-  if (!(headlamp >= 0))
+  if (!(headlamp >= 0 && std::isfinite(headlamp)))
     throw std::invalid_argument("headlamp is " + std::to_string(headlamp) +
                                 ", expected 0 or a positive number");
 }

@@ -39,6 +39,7 @@ struct Scene {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> material_of_triangle;
   std::vector<Material> materials;
+  std::vector<Color> tints;  // of each vertex, times the reflectance of its material; or empty
   std::vector<AreaLight> lights;
 };
 

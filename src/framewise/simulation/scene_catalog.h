@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace framewise {
 // A scene that can be asked for by name.
 struct SceneKind {
   std::string name;
-  Scene (*build)(const SceneOptions&);
+  std::function<Scene(const SceneOptions&)> build;
   PathSpace space;  // whatever the seed
   std::string default_path;
   bool is_lit = true;  // false: dark but for a headlamp

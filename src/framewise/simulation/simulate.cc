@@ -15,8 +15,8 @@
 #include <stdexcept>
 
 #include "framewise/image/depth.h"
+#include "framewise/simulation/mesh_scene.h"
 #include "framewise/simulation/random.h"
-#include "framewise/simulation/scene_catalog.h"
 #include "framewise/simulation/se3_spline.h"
 
 namespace framewise {
@@ -80,7 +80,7 @@ SimulatedFrame shoot(const SimulateOptions& options, const RgbdSensor& sensor, c
 
 void render_all(const SimulateOptions& options, int threads, const FrameSink& sink) {
   const Scene scene =
-      scene_kind(options.scene).build({.seed = options.seed, .light_cell = options.light_cell});
+      scene_of(options).build({.seed = options.seed, .light_cell = options.light_cell, .lit = true});
   const RayTracer tracer(scene);
   const RgbdSensor sensor(sensor_of(options));
   const Path path = path_of(options);
@@ -109,10 +109,10 @@ void render_all(const SimulateOptions& options, int threads, const FrameSink& si
 }  // namespace
 
 void SimulateOptions::check() const {
-  scene_kind(scene);
+  const SceneKind kind = scene_of(*this);
   if (!poses.empty() && !path.empty()) refuse("path", "'" + path + "' beside poses", "one of the two");
   if (!poses.empty() && poses.size() < 2) refuse("poses", "a single one", "at least 2");
-  if (poses.empty() && !path.empty()) named_path(path, scene_kind(scene).space, seed);
+  if (poses.empty() && !path.empty()) named_path(path, kind.space, seed);
   if (frames.value_or(1) < 1) refuse("frames", std::to_string(*frames), "at least 1");
   if (!(rate_hz > 0 && rate_hz <= 1000))
     refuse("rate_hz", std::to_string(rate_hz), "a rate above 0, at most 1000");
@@ -130,6 +130,30 @@ void SimulateOptions::check() const {
            "at most " + std::to_string(most) + ", as long as the poses last");
 }
 
+SceneKind scene_of(const SimulateOptions& options) {
+  if (!options.mesh) return scene_kind(options.scene);
+  return {"mesh", [mesh = options.mesh](const SceneOptions& scene) { return mesh_scene(*mesh, scene); },
+          mesh_space(*options.mesh), "orbit"};
+}
+
+bool is_anything_in_view(const SimulateOptions& options) {
+  constexpr int kMostFrames = 100, kWidth = 64;
+  options.check();
+  SimulateOptions small = options;
+  small.width = kWidth;
+  small.height = std::max(16, kWidth * options.height / options.width);
+  const Scene scene = scene_of(options).build({.light_cell = 10, .lit = false});
+  const RayTracer tracer(scene);
+  const RgbdSensor sensor(sensor_of(small));
+  const Path path = path_of(options);
+  const int frames = frame_count(options), step = (frames + kMostFrames - 1) / kMostFrames;
+  for (int i = 0; i < frames; i += step) {
+    const cv::Mat depth = sensor.surface(tracer, path(frame_time(options, i)).world_from_cam).depth;
+    if (cv::countNonZero(depth == depth) > 0) return true;
+  }
+  return false;
+}
+
 RgbdOptions sensor_of(const SimulateOptions& options) {
   RgbdOptions sensor;
   sensor.camera.width = options.width;
@@ -139,6 +163,8 @@ RgbdOptions sensor_of(const SimulateOptions& options) {
   sensor.camera.cy = 0.5 * (options.height - 1);
   sensor.camera.distortion = options.distortion;
   sensor.max_depth = options.depth_max.value_or(usual_reach(options.depth.sensor));
+  if (options.mesh && !options.depth_max && options.depth.sensor == DepthSensor::kExact)
+    sensor.max_depth = std::max(sensor.max_depth, mesh_space(*options.mesh).free_space.sizes().x());
   sensor.exposure = options.exposure;
   sensor.headlamp = options.headlamp;
   return sensor;
@@ -150,12 +176,11 @@ int frame_count(const SimulateOptions& options) {
 
 std::string path_name(const SimulateOptions& options) {
   if (!options.poses.empty()) return "poses";
-  return options.path.empty() ? scene_kind(options.scene).default_path : options.path;
+  return options.path.empty() ? scene_of(options).default_path : options.path;
 }
 
 Path path_of(const SimulateOptions& options) {
-  if (options.poses.empty())
-    return named_path(path_name(options), scene_kind(options.scene).space, options.seed);
+  if (options.poses.empty()) return named_path(path_name(options), scene_of(options).space, options.seed);
   // Stamps of frames are rounded, perhaps to just outside.
   return [spline = std::make_shared<const Se3Spline>(options.poses)](double time) {
     return (*spline)(std::clamp(time, spline->begin(), spline->end()));

@@ -5,22 +5,26 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "framewise/geometry/trajectory.h"
 #include "framewise/image/frame.h"
+#include "framewise/image/mesh.h"
 #include "framewise/simulation/depth_sensors.h"
 #include "framewise/simulation/imaging.h"
 #include "framewise/simulation/imu.h"
 #include "framewise/simulation/rgbd_sensor.h"
+#include "framewise/simulation/scene_catalog.h"
 
 namespace framewise {
 
 struct SimulateOptions {
   std::string scene = "room";
-  std::string path;           // by name; empty: the one that the scene is made for
+  std::shared_ptr<const Mesh> mesh;  // to be seen in place of a named scene, if there is one
+  std::string path;                  // by name; empty: the one that the scene is made for
   Trajectory poses;           // world_from_cam to move through in place of a named path, if there are any
   std::optional<int> frames;  // none: 300, or as many as the poses last
   double rate_hz = 30;
@@ -34,7 +38,8 @@ struct SimulateOptions {
   double headlamp = 0;                 // light it throws at 1 m; the mine has no other
   ImagingOptions imaging;
   DepthSensorOptions depth;
-  std::optional<double> depth_max;  // farther is unknown (m); none: the depth sensor's usual reach
+  std::optional<double> depth_max;  // farther is unknown (m); none: the depth sensor's usual reach, and for
+                                    // exact depth of a mesh at least across it
   std::optional<ImuOptions> imu;
 
   // Throws std::invalid_argument naming the option, what was found and what was expected.
@@ -52,6 +57,13 @@ struct SimulatedFrame {
 // being rendered. The sink may run on any thread; returning false ends the recording after that frame.
 using FrameSink = std::function<bool(const SimulatedFrame&)>;
 void simulate(const SimulateOptions& options, const FrameSink& sink);
+
+// The scene by its name, or that of the mesh; of the mesh it keeps no more than the pointer.
+SceneKind scene_of(const SimulateOptions& options);
+
+// Whether some frame of a recording sees a face: a mesh may lie elsewhere than its path. Looks at up to a
+// hundred frames.
+bool is_anything_in_view(const SimulateOptions& options);
 
 // The camera of a recording.
 RgbdOptions sensor_of(const SimulateOptions& options);

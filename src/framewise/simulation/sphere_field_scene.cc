@@ -12,11 +12,12 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr float kHalf = 6.5f, kHeight = 8;
+constexpr float kHalfSide = 6.5f, kCeiling = 8;
 constexpr int kBalls = 220;
 
 void hall(MeshBuilder& builder, Random& random) {
-  const Vector3f corner(-kHalf, -kHalf, 0), x(2 * kHalf, 0, 0), y(0, 2 * kHalf, 0), z(0, 0, kHeight);
+  const Vector3f corner(-kHalfSide, -kHalfSide, 0), x(2 * kHalfSide, 0, 0), y(0, 2 * kHalfSide, 0),
+      z(0, 0, kCeiling);
   const auto wall = [&](std::uint32_t a, std::uint32_t b) {
     return Material{Texture::kPatchwork, srgb(a), srgb(b), random.seed()};
   };
@@ -56,13 +57,14 @@ Scene sphere_field_scene(const SceneOptions& options) {
   for (int placed = 0; placed < kBalls;) {
     const auto uniform = [&](float from, float to) { return static_cast<float>(random.uniform(from, to)); };
     const float radius = 0.12f + 0.5f * std::pow(uniform(0, 1), 2.0f);
-    const float x = uniform(-kHalf, kHalf), y = uniform(-kHalf, kHalf), z = uniform(0, kHeight);
+    const float x = uniform(-kHalfSide, kHalfSide), y = uniform(-kHalfSide, kHalfSide),
+                z = uniform(0, kCeiling);
     if (free_space.exteriorDistance(Vector3f(x, y, z)) < radius + 0.5f) continue;
     builder.sphere({x, y, z}, radius, skin(random));
     ++placed;
   }
-  scene.lights = {{{-5, 5, kHeight - 0.01f}, {10, 0, 0}, {0, -10, 0}, Color{2.3f, 2.26f, 2.15f}},
-                  {{-kHalf + 0.01f, -3, 1}, {0, 6, 0}, {0, 0, 5}, Color{1.2f, 1.3f, 1.45f}}};
+  scene.lights = {{{-5, 5, kCeiling - 0.01f}, {10, 0, 0}, {0, -10, 0}, Color{2.3f, 2.26f, 2.15f}},
+                  {{-kHalfSide + 0.01f, -3, 1}, {0, 6, 0}, {0, 0, 5}, Color{1.2f, 1.3f, 1.45f}}};
   if (options.lit) bake_light(scene);
   return scene;
 }
