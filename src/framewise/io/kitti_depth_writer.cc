@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "framewise/io/imu_writer.h"
@@ -30,14 +31,20 @@ std::string times_txt(const std::vector<double>& times) {
   return text;
 }
 
+// The pose whose time is a frame's but for rounding.
+const Pose& pose_of_frame(const Trajectory& truth, double time) {
+  const auto after = std::lower_bound(truth.times.begin(), truth.times.end(), time - 1e-7);
+  if (after == truth.times.end() || *after > time + 1e-7)
+    throw std::invalid_argument(fmt::format("truth has no pose at {:.6f} s, expected one a frame", time));
+  return truth.world_from_cam[static_cast<std::size_t>(after - truth.times.begin())];
+}
+
 std::string poses_txt(const Trajectory& truth, const std::vector<double>& times) {
   std::string text;
   for (const double time : times) {
-    const auto pose = pose_at(truth, time, 0);
-    if (!pose)
-      throw std::invalid_argument(fmt::format("truth has no pose at {:.6f} s, expected one a frame", time));
+    const Pose& pose = pose_of_frame(truth, time);
     for (int i = 0; i < 3; ++i)
-      text += fmt::format("{} {} {} {}{}", pose->R(i, 0), pose->R(i, 1), pose->R(i, 2), pose->t(i),
+      text += fmt::format("{} {} {} {}{}", pose.R(i, 0), pose.R(i, 1), pose.R(i, 2), pose.t(i),
                           i < 2 ? " " : "\n");
   }
   return text;

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr float kSmoothBelowDeg = 40;  // edges sharper than this stay edges where normals are made
 
-// Where this is the first dimension of size 0 an image is a compressed file of so many bytes.
+// Of height 0 it is a compressed file of so many bytes.
 cv::Mat embedded_image(const aiTexture& texture) {
   if (texture.mHeight == 0) {
     const cv::Mat bytes(1, static_cast<int>(texture.mWidth), CV_8U, texture.pcData);
@@ -46,7 +46,9 @@ cv::Mat image_of(const fs::path& file, const aiScene& scene, const aiMaterial& m
   } else {
     std::string path = name.C_Str();
     std::replace(path.begin(), path.end(), '\\', '/');
-    image = cv::imread((file.parent_path() / path).string(), cv::IMREAD_COLOR);
+    // OpenCV would print that there is no such file.
+    if (const fs::path beside = file.parent_path() / path; fs::is_regular_file(beside))
+      image = cv::imread(beside.string(), cv::IMREAD_COLOR);
   }
   if (image.empty())
     throw InputError(file, 0, "texture", fmt::format("'{}', which is no image", name.C_Str()),
