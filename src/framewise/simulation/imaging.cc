@@ -105,17 +105,13 @@ cv::Mat expose(const RgbdSensor& sensor, const RayTracer& tracer, const Path& pa
   const int rows = sensor.options().camera.height;
   if (options.exposure_time == 0)
     return sensor.light(tracer, row_poses(path, time, options.readout_time, rows));
-  cv::Mat sum;
+  std::vector<RgbdSensor::Instant> instants;
   for (int k = 0; k < options.blur_samples; ++k) {
     const double instant = time + options.exposure_time * ((k + 0.5) / options.blur_samples - 0.5);
-    const cv::Mat sample = sensor.light_beside(tracer, row_poses(path, instant, options.readout_time, rows),
-                                               offset_of_sample(k, options.blur_samples));
-    if (sum.empty())
-      sum = sample;
-    else
-      sum += sample;
+    instants.push_back(
+        {row_poses(path, instant, options.readout_time, rows), offset_of_sample(k, options.blur_samples)});
   }
-  return sum * (1.0 / options.blur_samples);
+  return sensor.mean_light(tracer, path(time).world_from_cam, instants);
 }
 
 cv::Mat develop(const cv::Mat& light, const Camera& camera, const ImagingOptions& options,

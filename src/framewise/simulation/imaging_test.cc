@@ -9,6 +9,7 @@
 
 #include "framewise/geometry/so3.h"
 #include "framewise/simulation/mesh_builder.h"
+#include "framewise/simulation/scene_catalog.h"
 
 namespace framewise {
 namespace {
@@ -71,6 +72,29 @@ TEST(Imaging, BlurSpreadsLightOverTheWayAndKeepsTheSumAndTheMiddle) {
   EXPECT_NEAR(light_of_row(blurred, 30), light_of_row(sharp, 30), 0.05 * light_of_row(sharp, 30));
   EXPECT_NEAR(column_of_bar(blurred, 30), column_of_bar(sharp, 30), 0.3);
   EXPECT_NEAR(width_of_bar(blurred, 30), std::hypot(width_of_bar(sharp, 30), way), 0.8);
+}
+
+// In which what surfaces show is taken from one view: the mean of views drawn one by one is the judge, with a
+// lens, a lamp, and things before others.
+TEST(Imaging, BlurIsTheMeanOfTheViewsOfItsInstants) {
+  const SceneKind& kind = scene_kind("mine");
+  const Scene scene = kind.build({.light_cell = 0.2f});
+  const RayTracer tracer(scene);
+  RgbdOptions camera;
+  camera.camera = {CameraModel::kPinhole, 160, 120, 131, 131, 79.5, 59.5, {-0.2, 0.03, 0, 0, 0}, {}};
+  camera.headlamp = 12;
+  const RgbdSensor sensor(camera);
+  const Path path = named_path("drone-race", kind.space, 1);
+  const ImagingOptions blur{.exposure_time = 0.1, .blur_samples = 8};
+  const cv::Mat blurred = expose(sensor, tracer, path, 2, blur);
+  cv::Mat mean(blurred.size(), CV_32FC3, cv::Scalar::all(0));
+  for (int k = 0; k < 8; ++k)
+    mean += expose(sensor, tracer, path, 2 + 0.1 * ((k + 0.5) / 8 - 0.5), {}) * 0.125;
+  const double light = cv::norm(mean, cv::NORM_L1), error = cv::norm(blurred, mean, cv::NORM_L1);
+  EXPECT_LT(error, 0.06 * light);
+  EXPECT_NEAR(cv::norm(blurred, cv::NORM_L1), light, 0.01 * light);
+  // One sharp view alone is much farther off.
+  EXPECT_GT(cv::norm(expose(sensor, tracer, path, 2, {}), mean, cv::NORM_L1), 3 * error);
 }
 
 TEST(Imaging, ARollingShutterShearsAndLeavesTheMiddleRow) {

@@ -52,6 +52,7 @@ struct Centres {
   cv::Mat triangle;  // CV_32S
   cv::Mat radiance;  // CV_32FC3, empty where it is not asked for
   cv::Mat depth;     // CV_32F, empty where it is not asked for
+  cv::Mat distance;  // CV_32F, z however far and in single precision, empty where it is not asked for
 };
 
 // Where a row of pixels is when it looks.
@@ -158,6 +159,7 @@ void trace_centres(const View& view, int u0, int v0, Centres& centres) {
     color.at<cv::Vec3b>(v, u) = to_bytes(displayed(view, light));
     if (!centres.radiance.empty()) centres.radiance.at<cv::Vec3f>(v, u) = {light.b, light.g, light.r};
     centres.triangle.at<int>(v, u) = static_cast<int>(hits.triangle[i]);
+    if (!centres.distance.empty()) centres.distance.at<float>(v, u) = hits.t[i] * rays_in_cam[i].z();
     if (centres.depth.empty()) continue;
     const double z = exact_z(view, u, v, hits.triangle[i]);
     if (z <= view.options.max_depth) centres.depth.at<float>(v, u) = static_cast<float>(z);
@@ -267,6 +269,9 @@ RgbdSensor::RgbdSensor(const RgbdOptions& options) : options_(options) {
                                     std::to_string(v) + ", expected one for each");
       const Bearing ray = x->z() > 0.01 ? Bearing(*x / x->z()) : *x;
       rays_in_cam_.push_back(ray.cast<float>());
+      if (options_.camera.model != CameraModel::kPinhole) continue;
+      straight_rays_.push_back({static_cast<float>((u - options_.camera.cx) / options_.camera.fx),
+                                static_cast<float>((v - options_.camera.cy) / options_.camera.fy), 1.0f});
     }
   }
 }
@@ -290,8 +295,12 @@ Centres trace_all(const View& view, bool with_radiance, bool with_depth) {
   Centres centres{cv::Mat(height, width, CV_8UC3, cv::Scalar::all(0)),
                   cv::Mat(height, width, CV_32S, cv::Scalar(-1)),
                   {},
+                  {},
                   {}};
-  if (with_radiance) centres.radiance = cv::Mat(height, width, CV_32FC3, cv::Scalar::all(0));
+  if (with_radiance) {
+    centres.radiance = cv::Mat(height, width, CV_32FC3, cv::Scalar::all(0));
+    centres.distance = cv::Mat(height, width, CV_32F, cv::Scalar(0));
+  }
   if (with_depth) centres.depth = cv::Mat(height, width, CV_32F, cv::Scalar(kUnknownDepth));
   for_each_tile(width, height, [&](const cv::Rect& tile) {
     for (int v = tile.y; v < tile.y + tile.height; v += 2)
@@ -304,6 +313,60 @@ void refine_all(const View& view, const Centres& centres, cv::Mat& color, cv::Ma
   if (view.options.edge_samples == 4)
     for_each_tile(color.cols, color.rows,
                   [&](const cv::Rect& tile) { refine_tile(view, tile, centres, color, radiance); });
+}
+
+// What an undistorted camera sees in the middle of an exposure.
+struct Middle {
+  const View& view;
+  Centres centres;
+
+  // The light it sees at a place on a triangle, if it sees that place.
+  const cv::Vec3f* light_at(const Vector3f& place, std::uint32_t triangle) const {
+    const RowPose& pose = view.rows.front();
+    const Camera& camera = view.options.camera;
+    const Vector3f x = pose.turn.transpose() * (place - pose.origin);
+    if (camera.model != CameraModel::kPinhole || x.z() < 1e-3f) return nullptr;
+    const float u = static_cast<float>(camera.fx) * x.x() / x.z() + static_cast<float>(camera.cx) + 0.5f,
+                v = static_cast<float>(camera.fy) * x.y() / x.z() + static_cast<float>(camera.cy) + 0.5f;
+    if (!(u >= 0 && v >= 0 && u < static_cast<float>(camera.width) && v < static_cast<float>(camera.height)))
+      return nullptr;
+    const int column = static_cast<int>(u), row = static_cast<int>(v);
+    constexpr float kNear = 0.02f;  // share of the distance within which it is the same place
+    if (!view.is_one_surface(centres.triangle.at<int>(row, column), static_cast<int>(triangle)) ||
+        std::abs(centres.distance.at<float>(row, column) - x.z()) > kNear * x.z())
+      return nullptr;
+    return &centres.radiance.at<cv::Vec3f>(row, column);
+  }
+};
+
+// The light of one ray in each of 4 x 2 pixels.
+void add_light(const View& view, const Middle& middle, int u0, int v0, cv::Mat& sum) {
+  Rays8 rays;
+  std::array<Vector3f, 8> rays_in_cam, directions;
+  for (int i = 0; i < 8; ++i) {
+    const int u = u0 + i % 4, v = v0 + i / 4;
+    if (u < sum.cols && v < sum.rows) {
+      rays_in_cam[i] = view.ray_in_cam(u, v, view.offset);
+      directions[i] = view.rows[v].turn * rays_in_cam[i];
+      rays.set(i, view.rows[v].origin, directions[i], 1e-3f, 1e4f);
+    } else {
+      rays.switch_off(i);
+    }
+  }
+  Hits8 hits;
+  view.tracer.intersect(rays, true, hits);
+  for (int i = 0; i < 8; ++i) {
+    const int u = u0 + i % 4, v = v0 + i / 4;
+    if (u >= sum.cols || v >= sum.rows || hits.triangle[i] == kNoHit) continue;
+    const Vector3f place = view.rows[v].origin + hits.t[i] * directions[i];
+    cv::Vec3f& light = sum.at<cv::Vec3f>(v, u);
+    if (const cv::Vec3f* known = middle.light_at(place, hits.triangle[i])) {
+      light += *known;
+    } else {
+      const Color shaded = shade(view, hits, i, rays_in_cam[i], directions[i], 1);
+      light += cv::Vec3f(shaded.b, shaded.g, shaded.r);
+    }
+  }
 }
 
 // Depth and slant alone, for 4 x 2 pixels.
@@ -352,11 +415,24 @@ cv::Mat RgbdSensor::light(const RayTracer& tracer, std::span<const Pose> world_f
   return radiance;
 }
 
-cv::Mat RgbdSensor::light_beside(const RayTracer& tracer, std::span<const Pose> world_from_cam_of_row,
-                                 const std::array<float, 2>& offset) const {
-  View view = view_of(tracer, options_, rays_in_cam_, world_from_cam_of_row);
-  view.offset = offset;
-  return trace_all(view, true, false).radiance;
+cv::Mat RgbdSensor::mean_light(const RayTracer& tracer, const Pose& world_from_cam_in_the_middle,
+                               std::span<const Instant> instants) const {
+  const int width = options_.camera.width, height = options_.camera.height;
+  const auto& rays = straight_rays_.empty() ? rays_in_cam_ : straight_rays_;
+  const View middle = view_of(tracer, options_, rays, {&world_from_cam_in_the_middle, 1});
+  const Middle seen{middle, trace_all(middle, true, false)};
+  std::vector<View> views;
+  for (const Instant& instant : instants) {
+    views.push_back(view_of(tracer, options_, rays_in_cam_, instant.world_from_cam_of_row));
+    views.back().offset = instant.offset;
+  }
+  cv::Mat sum(height, width, CV_32FC3, cv::Scalar::all(0));
+  for_each_tile(width, height, [&](const cv::Rect& tile) {
+    for (const View& view : views)
+      for (int v = tile.y; v < tile.y + tile.height; v += 2)
+        for (int u = tile.x; u < tile.x + tile.width; u += 4) add_light(view, seen, u, v, sum);
+  });
+  return sum * (1.0 / static_cast<double>(instants.size()));
 }
 
 SurfaceImage RgbdSensor::surface(const RayTracer& tracer, const Pose& world_from_cam) const {

@@ -46,15 +46,23 @@ class RgbdSensor {
   // is beyond. One pose, or one for each row.
   cv::Mat light(const RayTracer& tracer, std::span<const Pose> world_from_cam_of_row) const;
 
-  // The same by one ray a pixel, at an offset from its centre (pixels): for means over many.
-  cv::Mat light_beside(const RayTracer& tracer, std::span<const Pose> world_from_cam_of_row,
-                       const std::array<float, 2>& offset) const;
+  // One instant of a mean: where each row looks from (or all), and how far beside the centres of the pixels.
+  struct Instant {
+    std::vector<Pose> world_from_cam_of_row;
+    std::array<float, 2> offset;
+  };
+
+  // The mean of the light over instants, by one ray a pixel and instant. What a surface shows, and the
+  // headlamp on it, is taken from the view of the middle where that sees the same place to half a pixel:
+  // looking at textures again is most of the work.
+  cv::Mat mean_light(const RayTracer& tracer, const Pose& world_from_cam_in_the_middle,
+                     std::span<const Instant> instants) const;
 
   SurfaceImage surface(const RayTracer& tracer, const Pose& world_from_cam) const;
 
  private:
   RgbdOptions options_;
-  std::vector<Eigen::Vector3f> rays_in_cam_;  // row by row, z = 1 where the camera allows
+  std::vector<Eigen::Vector3f> rays_in_cam_, straight_rays_;  // row by row, z = 1 where the camera allows
 };
 
 }  // namespace framewise
