@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <tuple>
 
 #include "framewise/geometry/gyroscope.h"
 #include "framewise/geometry/so3.h"
@@ -44,10 +46,11 @@ State integrate(const State& from, const ImuReading& a, const ImuReading& b, con
   return to;
 }
 
-class ImuOfPath : public testing::TestWithParam<std::string> {};
+class ImuOfPath : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
 TEST_P(ImuOfPath, ReadingsWithoutNoiseIntegrateToThePath) {
-  const Path path = named_path(GetParam(), scene_kind("room").space, 3);
+  const auto& [scene, name] = GetParam();
+  const Path path = named_path(name, scene_kind(scene).space, 3);
   const auto readings = true_imu_readings(path, 1, 11, 1000);
   ASSERT_EQ(readings.size(), 10001u);
   State state{path(1).world_from_cam, path(1).velocity};
@@ -59,11 +62,15 @@ TEST_P(ImuOfPath, ReadingsWithoutNoiseIntegrateToThePath) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Paths, ImuOfPath, testing::ValuesIn(path_names()), [](const auto& info) {
-  std::string name = info.param;
-  for (char& c : name) c = c == '-' ? '_' : c;
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Paths, ImuOfPath,
+                         testing::Combine(testing::Values("room", "corridor", "mine", "race", "plane",
+                                                          "sphere-field"),
+                                          testing::ValuesIn(path_names())),
+                         [](const auto& info) {
+                           std::string name = std::get<0>(info.param) + "_" + std::get<1>(info.param);
+                           for (char& c : name) c = c == '-' ? '_' : c;
+                           return name;
+                         });
 
 TEST(Imu, RatesAreWhatRotationBetweenIntegrates) {
   const Path path = handheld_path(scene_kind("room").space, 0);
