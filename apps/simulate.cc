@@ -4,73 +4,97 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "commands.h"
-#include "framewise/io/tum_writer.h"
+#include "framewise/io/recording_writer.h"
 #include "progress.h"
+#include "simulate_options.h"
 
 namespace framewise::apps {
 namespace {
 
-constexpr double kDepthFactor = 5000;  // raw units a metre, as in the TUM benchmark
+constexpr int kEndedEarly = 1;
 
 struct SimulateCommand {
   std::filesystem::path out;
-  SimulateOptions options;
+  SimulateChoice choice;
   bool quiet = false, json = false;
 };
 
-std::string record(const SimulateOptions& options) {
-  const nlohmann::ordered_json record = {{"version", FRAMEWISE_VERSION}, {"scene", options.scene},
-                                         {"frames", options.frames},     {"rate", options.rate_hz},
-                                         {"seed", options.seed},         {"width", options.width},
-                                         {"height", options.height},     {"light_cell", options.light_cell},
-                                         {"depth_factor", kDepthFactor}};
-  return record.dump(2) + "\n";
+volatile std::sig_atomic_t interrupted = 0;
+
+// While it lives, Ctrl-C is taken note of and nothing more; a second one ends the program.
+class InterruptNote {
+ public:
+  InterruptNote() {
+    interrupted = 0;
+    before_ = std::signal(SIGINT, [](int) {
+      interrupted = 1;
+      std::signal(SIGINT, SIG_DFL);
+    });
+  }
+  ~InterruptNote() { std::signal(SIGINT, before_); }
+
+ private:
+  void (*before_)(int);
+};
+
+// How many frames were written.
+int write_frames(const SimulateOptions& options, bool quiet, RecordingWriter& writer) {
+  const InterruptNote note;
+  Progress progress("simulate", frame_count(options), quiet);
+  int written = 0;
+  simulate(options, [&](const SimulatedFrame& simulated) {
+    writer.add(simulated.frame, simulated.true_depth);
+    progress.advance();
+    ++written;
+    return !interrupted;
+  });
+  return written;
 }
 
 int run(const SimulateCommand& command) {
-  command.options.check();
-  TumWriter writer(command.out, sensor_of(command.options).camera, kDepthFactor);
-  {
-    Progress progress("simulate", command.options.frames, command.quiet);
-    simulate(command.options, [&](const SimulatedFrame& simulated) {
-      writer.add(simulated.frame);
-      progress.advance();
-      return true;
-    });
+  const SimulateOptions options = resolved(command.choice);
+  const DepthStorage storage = depth_storage(options, command.choice);
+  const auto writer = recording_writer(command.choice.layout, command.out, sensor_of(options).camera, storage,
+                                       options.rate_hz);
+  if (!scene_of(options).is_lit && options.headlamp == 0 && !command.quiet)
+    fmt::print(stderr, "{} has no light of its own: colour is black without --headlamp\n", options.scene);
+  const int written = write_frames(options, command.quiet, *writer);
+  writer->finish(true_trajectory(options, written));
+  if (options.imu) {
+    const ImuRecording imu = imu_recording(options, written);
+    writer->write_imu(imu.readings, imu.truth, options.imu->rate_hz);
   }
-  writer.finish(true_trajectory(command.options, command.options.frames));
-  writer.write_text("simulation.json", record(command.options));
+  nlohmann::ordered_json record = record_of(options, command.choice, storage);
+  record["frames"] = written;
+  const std::string text = record.dump(2) + "\n";
+  writer->write_text("simulation.json", text);
+  const bool whole = written == frame_count(options);
   if (command.json)
-    fmt::print("{}", record(command.options));
+    fmt::print("{}", text);
   else if (!command.quiet)
-    fmt::print("Written: {} ({} frames)\n", command.out.string(), command.options.frames);
-  return 0;
+    fmt::print("Written: {} ({} frames{})\n", command.out.string(), written, whole ? "" : ", ended early");
+  return whole ? 0 : kEndedEarly;
 }
 
 }  // namespace
 
 void add_simulate(CLI::App& program, Action& action) {
   const auto command = std::make_shared<SimulateCommand>();
-  SimulateOptions& options = command->options;
-  CLI::App* app =
-      program.add_subcommand("simulate", "A ray-traced recording with exact truth, in TUM RGB-D layout");
-  app->add_option("SCENE", options.scene, "room")->required();
+  CLI::App* app = program.add_subcommand("simulate", "A ray-traced recording with exact truth");
   app->add_option("--out", command->out, "folder to create")->required();
-  app->add_option("--frames", options.frames, "how many")->capture_default_str();
-  app->add_option("--rate", options.rate_hz, "frames a second")->capture_default_str();
-  app->add_option("--seed", options.seed, "of textures and path")->capture_default_str();
-  app->add_option("--width", options.width, "pixels; the field of view stays the same")
-      ->capture_default_str();
-  app->add_option("--height", options.height, "pixels")->capture_default_str();
-  app->add_option("--threads", options.threads, "0: all cores; the bytes are the same with any number")
-      ->capture_default_str();
+  add_simulate_options(*app, command->choice);
   app->add_flag("--json", command->json, "print simulation.json on standard output");
   app->add_flag("--quiet", command->quiet, "print nothing but errors");
-  app->footer("Example:\n  framewise simulate room --frames 300 --out data/room");
+  app->footer(
+      "Examples:\n  framewise simulate room --frames 300 --out data/room\n"
+      "  framewise simulate room --path drone-race --exposure-time 0.01 --imu-rate 500 --out data/fast\n"
+      "  framewise simulate --mesh model.glb --mesh-up y --path poses.txt --out data/model\n"
+      "  framewise simulate mine --headlamp 12 --depth lidar --layout kitti-depth --out data/mine\n"
+      "  framewise simulate room --depth kinect --photons 200 --exposure 0.3 --out data/dusk");
   app->callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

@@ -18,6 +18,8 @@ pkg_search_module(LIBZIP REQUIRED IMPORTED_TARGET GLOBAL libzip)
 
 # PNG files of the report's plots.
 pkg_check_modules(RSVG REQUIRED IMPORTED_TARGET GLOBAL librsvg-2.0)
+# Its CMake files name libraries that some distributions do not ship.
+pkg_search_module(ASSIMP REQUIRED IMPORTED_TARGET GLOBAL assimp)
 
 # OpenEXR 3 calls its library OpenEXR, OpenEXR 2 (Ubuntu 22.04) calls it IlmImf.
 find_package(OpenEXR REQUIRED)

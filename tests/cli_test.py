@@ -14,6 +14,7 @@ import signal
 import struct
 import subprocess
 import tempfile
+import time
 import unittest
 import zipfile
 import zlib
@@ -1261,6 +1262,141 @@ class Mistakes(Recording):
                 (self.data / name).write_text(text)
                 twice(name, later, move if name == "groundtruth.txt" else 0)
             self.assertIn(word, self.warnings()["one-run"])
+
+
+class Simulate(Recording):
+    """The simulator: what it writes is a recording without a mistake, whole or ended early."""
+
+    SMALL = ("--width", 160, "--height", 120, "--frames", 10, "--quiet")
+    FRAMES = 2
+    SIZE = ("--width", 64, "--height", 48)
+
+    def simulate(self, *options):
+        shutil.rmtree(self.out, ignore_errors=True)
+        return framewise("simulate", *options, "--out", self.out)
+
+    def expect_no_mistake(self, folder):
+        inspected = framewise("inspect", folder)
+        self.assertEqual(inspected.returncode, 0, inspected.stderr)
+        self.assertIn("no usual mistake was found", inspected.stdout)
+        return json.loads(framewise("inspect", folder, "--json").stdout)
+
+    def test_no_scene_has_a_mistake(self):
+        for scene in "room", "corridor", "mine", "race", "plane", "sphere-field":
+            lamp = 12 if scene == "mine" else 0
+            # In fewer pixels, or with less motion, inspect has too little to judge by.
+            made = self.simulate(scene, "--width", 320, "--height", 240, "--rate", 10, "--frames", 10, "--quiet",
+                                 "--headlamp", lamp, "--seed", 3)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            self.assertEqual(self.expect_no_mistake(self.out)["frames"]["with_depth"], 10, scene)
+
+    def test_no_sensor_and_no_layout_has_a_mistake(self):
+        for layout in "tum", "euroc", "kitti-depth":
+            for sensor in "kinect", "tof", "lidar":
+                made = self.simulate("plane", *self.SMALL, "--layout", layout, "--depth", sensor, "--imu-rate", 200,
+                                     "--photons", 500, "--exposure-time", 0.02, "--blur-samples", 2)
+                self.assertEqual(made.returncode, 0, made.stderr)
+                found = self.expect_no_mistake(self.out)
+                self.assertEqual(found["format"], layout.split("-")[0])
+                self.assertEqual(found["frames"]["with_color"], 10)
+
+    def test_our_own_readers_run_on_every_layout(self):
+        for layout, solver in ("tum", "kabsch"), ("euroc", "nister-5pt"), ("kitti-depth", "kabsch"):
+            self.assertEqual(self.simulate("plane", *self.SMALL, "--layout", layout).returncode, 0)
+            ran = framewise("run", self.out, "--solver", solver, *(("--scale", "truth") if layout == "euroc" else ()),
+                            "--out", self.work / layout, "--quiet")
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            ate = json.loads((self.work / layout / "run.json").read_text())["evaluation"]["ate"]["rmse"]
+            self.assertLess(ate, 0.05, layout)
+
+    def test_ranges_come_with_their_maximum(self):
+        self.assertEqual(self.simulate("plane", *self.SMALL, "--depth-type", "range", "--depth-max", 20).returncode, 0)
+        self.assertIn("depth_max: 20", (self.out / "camera.yaml").read_text())
+        self.assertEqual(self.expect_no_mistake(self.out)["camera"]["depth_type"], "range")
+
+    def test_the_same_seed_gives_the_same_bytes_at_any_thread_count(self):
+        options = ("plane", *self.SMALL, "--depth", "kinect", "--photons", 300, "--imu-rate", 300, "--rolling-shutter", 0.01)
+        everything = lambda: {file.relative_to(self.out): file.read_bytes() for file in self.out.rglob("*") if file.is_file()}
+        self.assertEqual(self.simulate(*options, "--threads", 1).returncode, 0)
+        one = everything()
+        self.assertEqual(self.simulate(*options, "--threads", 2).returncode, 0)
+        self.assertEqual(everything(), one)
+        self.assertEqual(self.simulate(*options, "--seed", 1).returncode, 0)
+        self.assertNotEqual(everything(), one)
+
+    def test_its_record_holds_every_option(self):
+        made = self.simulate("plane", *self.SMALL, "--seed", 9, "--depth", "tof", "--imu-rate", 400, "--gamma", 2.2, "--json")
+        record = json.loads(made.stdout)
+        self.assertEqual(record, json.loads((self.out / "simulation.json").read_text()))
+        for name, value in {"scene": "plane", "path": "handheld", "layout": "tum", "frames": 10, "seed": 9, "width": 160,
+                            "depth": "tof", "gamma": 2.2, "exposure_time": 0, "depth_noise": 1}.items():
+            self.assertEqual(record[name], value, name)
+        self.assertEqual(record["imu"]["rate"], 400)
+
+    def test_ctrl_c_leaves_a_shorter_recording(self):
+        for layout, listed in ("tum", "rgb.txt"), ("kitti-depth", "image_2"), ("euroc", "mav0/cam0/data.csv"):
+            shutil.rmtree(self.out, ignore_errors=True)
+            process = subprocess.Popen([FRAMEWISE, "simulate", "plane", "--frames", "200000", "--width", "160", "--height", "120",
+                                        "--layout", layout, "--out", self.out, "--imu-rate", "200"],
+                                       stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            for _ in range(600):
+                there = self.out / listed
+                if there.exists() and (len(list(there.iterdir())) if there.is_dir() else len(there.read_text().splitlines())) > 8:
+                    break
+                time.sleep(0.05)
+            process.send_signal(signal.SIGINT)
+            said, _ = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 1)
+            self.assertIn("ended early", said)
+            frames = self.expect_no_mistake(self.out)["frames"]["count"]
+            self.assertEqual(json.loads((self.out / "simulation.json").read_text())["frames"], frames)
+            self.assertGreater(frames, 4)
+            self.assertLess(frames, 200000)
+
+    def test_it_says_how_far_it_is(self):
+        made = framewise("simulate", "plane", *self.SMALL[:-1], "--out", self.out)
+        self.assertIn("simulate: 10 of 10 frames", made.stderr)
+        self.assertIn("Written:", made.stdout)
+
+    def test_the_mine_is_dark_and_says_so(self):
+        made = framewise("simulate", "mine", *self.SMALL[:-1], "--out", self.out)
+        self.assertEqual(made.returncode, 0)
+        self.assertIn("--headlamp", made.stderr)
+
+    def model(self, *lines):
+        file = self.work / "model.obj"
+        file.write_text("\n".join(lines) + "\n")
+        return file
+
+    def test_a_model_in_place_of_a_scene(self):
+        tetrahedron = self.model("v 0 0 0", "v 1 0 0", "v 0 1 0", "v 0 0 1", "f 1 3 2", "f 1 2 4", "f 2 3 4", "f 1 4 3")
+        made = self.simulate("--mesh", tetrahedron, *self.SMALL)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        found = self.expect_no_mistake(self.out)
+        self.assertEqual(found["frames"]["with_depth"], 10)
+        self.assertEqual(json.loads((self.out / "simulation.json").read_text())["mesh"]["file"], str(tetrahedron))
+
+    def test_bad_input(self):
+        triangle = self.model("v 0 0 0", "v 1 0 0", "v 0 1 0", "f 1 2 3")
+        (self.work / "text.obj").write_text("no model at all, and long enough to be looked at\n" * 4)
+        (self.work / "away.txt").write_text("0 0 0 900 0 0 0 1\n1 0 0 901 0 0 0 1\n")
+        (self.work / "twice.txt").write_text("0 0 0 0 0 0 0 1\n0 1 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n")
+        (self.work / "one.txt").write_text("0 0 0 0 0 0 0 1\n")
+        for words, *options in (
+                (("moon", "sphere-field"), "moon"), (("scene is ''",),), (("one of the two",), "room", "--mesh", triangle),
+                (("none.obj", "no file"), "--mesh", self.work / "none.obj"), (("text.obj",), "--mesh", self.work / "text.obj"),
+                (("no face in view", "away.txt"), "--mesh", triangle, "--path", self.work / "away.txt"),
+                (("mesh scale",), "--mesh", triangle, "--mesh-scale", 0), (("mesh-up",), "--mesh", triangle, "--mesh-up", "x"),
+                (("twice.txt", "1 poses at the time of the one before"), "plane", "--path", self.work / "twice.txt"),
+                (("one.txt", "single pose"), "plane", "--path", self.work / "one.txt"),
+                (("stroll", "drone-race"), "plane", "--path", "stroll"),
+                (("exposure time", "0.2"), "plane", "--exposure-time", 0.2), (("rolling shutter",), "plane", "--rolling-shutter", 1),
+                (("frames is 0",), "plane", "--frames", 0), (("rate",), "plane", "--rate", 0), (("bag",), "plane", "--layout", "bag"),
+                (("distortion",), "plane", "--layout", "kitti-depth", "--distortion", "0.1,0,0,0"),
+                (("no ray",), "plane", "--distortion", "5,5,5,5,5"), (("exposure",), "plane", "--exposure", "inf"),
+                (("imu rate",), "plane", "--imu-rate", -1), (("depth noise",), "plane", "--depth-noise", -1)):
+            self.refuses(self.simulate(*options), *words)
+            self.assertFalse(self.out.exists(), f"{options} left a folder")
 
 
 @unittest.skipUnless((DATA / "tum_fr1_rpy_000_080").is_dir(), f"no real recordings at {DATA}")

@@ -78,6 +78,12 @@ std::string recognise_kitti(const fs::path& folder) {
   return fmt::format("it has {} and calib.txt", images.filename().string());
 }
 
+// Depth images that are called as the colour images are: beside those, or where the depth benchmark has them.
+fs::path kitti_depth_folder(const fs::path& folder) {
+  return first_existing(folder,
+                        {"depth", "proj_depth/velodyne_raw/image_02", "proj_depth/groundtruth/image_02"});
+}
+
 // poses.txt beside the images, or poses/NN.txt beside the folder sequences/NN.
 fs::path poses_file(const fs::path& folder) {
   if (fs::exists(folder / "poses.txt")) return folder / "poses.txt";
@@ -125,12 +131,13 @@ Dataset open_kitti(const fs::path& folder, const DatasetOptions& options) {
 
   const FrameTimes times = frame_times(folder / "times.txt", names, options.fps, kKittiRate);
   dataset.times_source = times.source;
+  const fs::path depths = kitti_depth_folder(folder);
   Fingerprint fingerprint;
   for (std::size_t i = 0; i < names.size(); ++i) {
     FrameFiles frame{times.times[i], existing_file(images, names[i], times.times[i], fingerprint), {}, 0};
     const std::string depth = std::string(stem_of(names[i])) + ".png";
-    if (fs::exists(folder / "depth" / depth))
-      frame.depth = existing_file(folder / "depth", depth, times.times[i], fingerprint);
+    if (!depths.empty() && fs::exists(depths / depth))
+      frame.depth = existing_file(depths, depth, times.times[i], fingerprint);
     dataset.frames.push_back(std::move(frame));
   }
   dataset.fingerprint = fingerprint.text();

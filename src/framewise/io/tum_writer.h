@@ -6,41 +6,33 @@
 #include <fstream>
 #include <string>
 
-#include "framewise/geometry/camera.h"
-#include "framewise/geometry/trajectory.h"
-#include "framewise/image/frame.h"
+#include "framewise/io/recording_writer.h"
 
 namespace framewise {
 
-// Writes a recording in the layout of the TUM RGB-D benchmark, frame by frame:
+// The layout of the TUM RGB-D benchmark:
 //   rgb.txt, depth.txt     `time file`, times with six decimals
 //   rgb/*.png              8-bit colour
 //   depth/*.png            16-bit z, metres times depth_factor, 0 where unknown or out of the 16 bits
 //   groundtruth.txt        `time tx ty tz qx qy qz qw`, world_from_cam, every digit of a double
-//   camera.yaml            the camera, as docs say, with depth_factor
-// A recording that ends early is complete up to its last frame once finish() was called.
-// Failures to write throw std::runtime_error naming the file.
-class TumWriter {
+//   depth_true.txt, depth_true/*.png    where depth without the sensor's faults is given too: the same of it
+//   camera.yaml            the camera, as docs say, with depth_factor and what else tells how depth is stored
+//   imu.csv, imu_true.csv  in EuRoC's form, where there is an inertial unit
+class TumWriter final : public RecordingWriter {
  public:
-  // Creates the folder and what is missing above it. Throws std::invalid_argument where it holds a recording
-  // already.
+  TumWriter(const std::filesystem::path& folder, const Camera& camera, const DepthStorage& storage);
   TumWriter(const std::filesystem::path& folder, const Camera& camera, double depth_factor = 5000);
 
-  // Needs colour and depth of the camera's size; times must grow by at least a microsecond.
-  void add(const Frame& frame);
-
-  // Writes the truth, sorted by time, and completes the lists.
-  void finish(const Trajectory& truth);
-
-  // Another small text file beside the lists, such as simulation.json.
-  void write_text(const std::string& name, const std::string& text);
+  void finish(const Trajectory& truth) override;
+  void write_imu(std::span<const ImuReading> readings, std::span<const ImuReading> truth,
+                 double rate_hz) override;
 
  private:
-  std::filesystem::path folder_;
-  Camera camera_;
-  double depth_factor_;
-  double last_time_ = -1;
-  std::ofstream rgb_list_, depth_list_;
+  std::ofstream rgb_list_, depth_list_, true_depth_list_;
+
+  void write_frame(const Frame& frame, const cv::Mat& true_depth) override;
+  void write_depth(const std::string& folder, const std::string& stamp, const cv::Mat& depth,
+                   std::ofstream& list);
 };
 
 }  // namespace framewise

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace framewise {
@@ -21,6 +22,11 @@ class Random {
 
   double uniform(double from, double to) {
     return from + (to - from) * static_cast<double>(bits() >> 11) * 0x1p-53;
+  }
+  // Standard normal: Box, Muller, A note on the generation of random normal deviates, 1958.
+  double normal() {
+    const double radius = std::sqrt(-2 * std::log(1 - uniform(0, 1)));
+    return radius * std::cos(2 * M_PI * uniform(0, 1));
   }
   int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
   std::uint32_t seed() { return static_cast<std::uint32_t>(bits()); }

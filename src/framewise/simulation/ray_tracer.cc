@@ -115,9 +115,13 @@ SurfacePoint RayTracer::surface_point(std::uint32_t triangle, float weight1, flo
                &c = scene_.vertices[corner[2]];
   const float weight0 = 1 - weight1 - weight2;
   const Eigen::Vector2f uv = weight0 * a.uv + weight1 * b.uv + weight2 * c.uv;
-  return {&scene_.materials[scene_.material_of_triangle[triangle]],
-          weight0 * a.normal + weight1 * b.normal + weight2 * c.normal, uv.x(), uv.y(),
-          a.light * weight0 + b.light * weight1 + c.light * weight2};
+  SurfacePoint point{&scene_.materials[scene_.material_of_triangle[triangle]],
+                     weight0 * a.normal + weight1 * b.normal + weight2 * c.normal, uv.x(), uv.y(),
+                     a.light * weight0 + b.light * weight1 + c.light * weight2};
+  if (!scene_.tints.empty())
+    point.tint = scene_.tints[corner[0]] * weight0 + scene_.tints[corner[1]] * weight1 +
+                 scene_.tints[corner[2]] * weight2;
+  return point;
 }
 
 double RayTracer::exact_t(std::uint32_t triangle, const Eigen::Vector3d& origin,

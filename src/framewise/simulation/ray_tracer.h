@@ -34,6 +34,7 @@ struct SurfacePoint {
   Eigen::Vector3f normal;  // of the surface, about unit
   float u, v;
   Color light;
+  Color tint = {1, 1, 1};  // times the reflectance
 };
 
 // Finds what rays meet in a scene (Embree). Reading is safe from many threads. Keeps a reference to the

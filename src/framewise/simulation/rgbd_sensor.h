@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <span>
 #include <vector>
 
 #include "framewise/geometry/camera.h"
@@ -17,9 +19,16 @@ struct RgbdOptions {
   double max_depth = 10;  // farther is invalid (m)
   int edge_samples =
       4;  // rays a pixel where its neighbours differ, 1 or 4; elsewhere textures filter themselves
-  double exposure = 1;  // light that turns 1.0 into white
+  double exposure = 1;  // times as much light as turns 1.0 into white
+  double headlamp = 0;  // a lamp at the camera: the light it throws on what faces it at 1 m; 0: none
 
   void check() const;
+};
+
+// What is in the middle of each pixel.
+struct SurfaceImage {
+  cv::Mat depth;   // CV_32F, z in metres however far, NaN where there is nothing
+  cv::Mat facing;  // CV_32F, cosine between the ray and the surface's normal: 1 seen head on, 0 grazing
 };
 
 // A camera that measures colour and depth of the same ray, without blur or noise.
@@ -33,9 +42,27 @@ class RgbdSensor {
   // is left to the caller. Works on all threads of the caller's arena; the bytes do not depend on how many.
   Frame render(const RayTracer& tracer, const Pose& world_from_cam) const;
 
+  // The light that falls into each pixel, CV_32FC3 blue green red, linear, 1 for white and as bright as it
+  // is beyond. One pose, or one for each row.
+  cv::Mat light(const RayTracer& tracer, std::span<const Pose> world_from_cam_of_row) const;
+
+  // One instant of a mean: where each row looks from (or all), and how far beside the centres of the pixels.
+  struct Instant {
+    std::vector<Pose> world_from_cam_of_row;
+    std::array<float, 2> offset;
+  };
+
+  // The mean of the light over instants, by one ray a pixel and instant. What a surface shows, and the
+  // headlamp on it, is taken from the view of the middle where that sees the same place to half a pixel:
+  // looking at textures again is most of the work.
+  cv::Mat mean_light(const RayTracer& tracer, const Pose& world_from_cam_in_the_middle,
+                     std::span<const Instant> instants) const;
+
+  SurfaceImage surface(const RayTracer& tracer, const Pose& world_from_cam) const;
+
  private:
   RgbdOptions options_;
-  std::vector<Eigen::Vector3f> rays_in_cam_;  // row by row, z = 1 where the camera allows
+  std::vector<Eigen::Vector3f> rays_in_cam_, straight_rays_;  // row by row, z = 1 where the camera allows
 };
 
 }  // namespace framewise

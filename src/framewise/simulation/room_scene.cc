@@ -144,11 +144,13 @@ std::vector<AreaLight> lights() {
 
 }  // namespace
 
-Eigen::AlignedBox3d room_free_space() {
-  return {Eigen::Vector3d(1.1, 1.1, 1.28), Eigen::Vector3d(kLength - 1.1, kWidth - 1.1, 1.72)};
+PathSpace room_space() {
+  const Eigen::AlignedBox3d box{Eigen::Vector3d(1.1, 1.1, 1.28),
+                                Eigen::Vector3d(kLength - 1.1, kWidth - 1.1, 1.72)};
+  return {box, -13 * M_PI / 180, round_way(box)};
 }
 
-Scene room_scene(const RoomOptions& options) {
+Scene room_scene(const SceneOptions& options) {
   Scene scene;
   MeshBuilder builder(scene, options.light_cell);
   Random random(options.seed);

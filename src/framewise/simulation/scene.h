@@ -27,12 +27,19 @@ struct AreaLight {
   Color radiance;
 };
 
+struct SceneOptions {
+  std::uint64_t seed = 0;    // textures, colours, and what differs from one scene of a kind to another
+  float light_cell = 0.05f;  // distance between the points where light is kept (m); coarser builds faster
+  bool lit = true;           // false: the shape alone, for those who ask for no colour
+};
+
 // What there is to see, apart from who looks and from where.
 struct Scene {
   std::vector<Vertex> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> material_of_triangle;
   std::vector<Material> materials;
+  std::vector<Color> tints;  // of each vertex, times the reflectance of its material; or empty
   std::vector<AreaLight> lights;
 };
 

@@ -96,6 +96,12 @@ Color marble(const Material& m, const Point& p);
 Color glow(const Material& m, const Point& p);
 Color outdoors(const Material& m, const Point& p);
 
+// The ground, and what is built of it.
+Color rock(const Material& m, const Point& p);
+Color concrete(const Material& m, const Point& p);
+Color gravel(const Material& m, const Point& p);
+Color patchwork(const Material& m, const Point& p);
+
 // What is woven.
 Color carpet(const Material& m, const Point& p);
 Color fabric(const Material& m, const Point& p);

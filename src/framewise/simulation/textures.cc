@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/simulation/textures.h"
 
+#include "framewise/simulation/image_texture.h"
 #include "framewise/simulation/texture_kit.h"
 
 namespace framewise {
@@ -53,8 +54,20 @@ Color albedo(const Material& m, float u, float v, float footprint) {
       return texture::fruit(m, p);
     case Texture::kGlow:
       return texture::glow(m, p);
+    case Texture::kRock:
+      return texture::rock(m, p);
+    case Texture::kConcrete:
+      return texture::concrete(m, p);
+    case Texture::kGravel:
+      return texture::gravel(m, p);
+    case Texture::kPatchwork:
+      return texture::patchwork(m, p);
     case Texture::kOutdoors:
       return texture::outdoors(m, p);
+    case Texture::kPlain:
+      return m.a;
+    case Texture::kImage:
+      return m.image ? m.a * m.image->at(u / m.width, v / m.height, footprint / m.width) : m.a;
   }
   return {};
 }

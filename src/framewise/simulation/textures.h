@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "framewise/simulation/color.h"
 
 namespace framewise {
+
+class ImageTexture;
 
 enum class Texture {
   kPaint,      // mottled colour a
@@ -31,7 +34,13 @@ enum class Texture {
   kLeaf,       // veins on green
   kFruit,      // speckles
   kGlow,       // lamp shade that shines
+  kRock,       // layers from a to b, cracks
+  kConcrete,   // cast panels from a to b
+  kGravel,     // stones from a to b
+  kPatchwork,  // squares within squares around the mean of a and b
   kOutdoors,   // what is seen through the window
+  kPlain,      // colour a and nothing else
+  kImage,      // the image times a, width x height of it, then again
 };
 
 // Colours a and b, an own seed, and for patterns that fill their surface its size (m).
@@ -41,6 +50,7 @@ struct Material {
   std::uint32_t seed = 0;
   float width = 1, height = 1;
   float emission = 0;  // above 0: the surface shines with this times its colour, whatever the light
+  std::shared_ptr<const ImageTexture> image = nullptr;  // of kImage
 };
 
 // Diffuse reflectance at (u, v), metres along the surface, averaged over about the footprint (m) of a pixel.
