@@ -14,10 +14,11 @@ ALLOWED = {
     "evaluation": ["geometry"],
     "robust": ["geometry", "solvers"],
     "features": ["geometry", "image"],
+    "registration": ["geometry", "solvers", "image"],
     "io": ["geometry", "image"],
     "report": ["geometry", "evaluation"],
     "simulation": ["geometry", "image"],
-    "odometry": ["geometry", "solvers", "image", "evaluation", "robust", "features"],
+    "odometry": ["geometry", "solvers", "image", "evaluation", "robust", "features", "registration"],
 }
 EIGEN_ONLY = {"geometry", "solvers", "robust", "evaluation"}
 INCLUDE = re.compile(r'^\s*#include\s+[<"]([^>"]+)[>"]')

@@ -18,6 +18,8 @@ SymmetricEigen<N> decompose(const Eigen::Matrix<double, N, N>& S) {
 
 SymmetricEigen<3> symmetric_eigen(const Eigen::Matrix3d& S) { return decompose<3>(S); }
 
+SymmetricEigen<6> symmetric_eigen(const Eigen::Matrix<double, 6, 6>& S) { return decompose<6>(S); }
+
 SymmetricEigen<9> symmetric_eigen(const Eigen::Matrix<double, 9, 9>& S) { return decompose<9>(S); }
 
 template <int N>

@@ -15,6 +15,7 @@ struct SymmetricEigen {
   Eigen::Matrix<double, N, N> vectors;  // in columns, orthonormal
 };
 SymmetricEigen<3> symmetric_eigen(const Eigen::Matrix3d& S);
+SymmetricEigen<6> symmetric_eigen(const Eigen::Matrix<double, 6, 6>& S);
 SymmetricEigen<9> symmetric_eigen(const Eigen::Matrix<double, 9, 9>& S);
 
 // S = L L' of a symmetric positive definite matrix; N is 3, 5, 6 or 9.
