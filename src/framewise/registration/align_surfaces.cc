@@ -95,35 +95,48 @@ struct SceneCoordinates {
   Matrix6d motion;  // (omega, tau) = motion * coordinates
 };
 
-// The step, and the directions along which none is taken.
-struct Step {
-  Vector6d motion = Vector6d::Zero();  // (omega, tau)
-  std::vector<Vector6d> free;          // in scene coordinates
-  Matrix6d inverse = Matrix6d::Zero();  // of the information, without the free directions
+using Directions = std::vector<Vector6d>;  // orthonormal, in scene coordinates
+
+// What the normal equations say in scene coordinates, apart from directions that are locked.
+struct Spectrum {
+  SymmetricEigen<6> eigen;
+  double rounding;  // of the eigenvalues: what is not above it is 0
 };
 
-Step solve(const NormalEquations& equations, const SceneCoordinates& scene, double least_information) {
-  const auto eigen = symmetric_eigen(Matrix6d(scene.motion.transpose() * equations.H * scene.motion));
-  const Vector6d b = scene.motion.transpose() * equations.b;
-  Step step;
-  Vector6d coordinates = Vector6d::Zero();
+Spectrum spectrum(const Matrix6d& H, const SceneCoordinates& scene, const Directions& locked) {
+  Matrix6d open = Matrix6d::Identity();
+  for (const Vector6d& direction : locked) open -= direction * direction.transpose();
+  Spectrum result;
+  result.eigen = symmetric_eigen(Matrix6d(open * scene.motion.transpose() * H * scene.motion * open));
+  result.rounding = 1e-7 * std::max(result.eigen.values[5], 1e-300);
+  return result;
+}
+
+// H^-1 without the locked directions.
+Matrix6d inverse_of(const Matrix6d& H, const SceneCoordinates& scene, const Directions& locked) {
+  const auto [eigen, rounding] = spectrum(H, scene, locked);
   Matrix6d inverse = Matrix6d::Zero();
-  for (int i = 0; i < 6; ++i) {
-    const Vector6d direction = eigen.vectors.col(i);
-    if (!(eigen.values[i] > least_information)) {
-      step.free.push_back(direction);
-      continue;
-    }
-    coordinates -= direction * (direction.dot(b) / eigen.values[i]);
-    inverse += direction * direction.transpose() / eigen.values[i];
-  }
-  step.motion = scene.motion * coordinates;
-  step.inverse = scene.motion * inverse * scene.motion.transpose();
-  return step;
+  for (int i = 0; i < 6; ++i)
+    if (eigen.values[i] > rounding)
+      inverse += eigen.vectors.col(i) * eigen.vectors.col(i).transpose() / eigen.values[i];
+  return scene.motion * inverse * scene.motion.transpose();
+}
+
+// Directions whose information is not more than what noise in the normals would feign.
+Directions free_directions(const NormalEquations& equations, const Surface& reference,
+                           const SceneCoordinates& scene, double least_information) {
+  const auto [eigen, rounding] = spectrum(equations.H, scene, {});
+  const double feigned = least_information * equations.weight * reference.feigned_information;
+  Directions directions;
+  for (int i = 0; i < 6; ++i)
+    if (!(eigen.values[i] > std::max(feigned, rounding))) directions.push_back(eigen.vectors.col(i));
+  return directions;
 }
 
 Pose moved(const Pose& cam1_from_cam2, const Vector6d& motion) {
-  return Pose{so3_exp(motion.head<3>()), motion.tail<3>()} * cam1_from_cam2;
+  const Pose product = Pose{so3_exp(motion.head<3>()), motion.tail<3>()} * cam1_from_cam2;
+  // Products of products round a rotation away from orthogonality unless it is renewed.
+  return Pose::from_quaternion(product.quaternion(), product.t);
 }
 
 // From the covariance of the motion of cam1_from_cam2, exp(omega) x + tau, to that of its inverse's tangent
@@ -159,6 +172,82 @@ bool is_done(const Vector6d& motion, double radius, const SurfaceGrid& grid) {
   return pixels < 0.01;
 }
 
+// The pose, and the normal equations at the last step of the finest level.
+struct Aligned {
+  Pose cam1_from_cam2;
+  NormalEquations equations;
+  int iterations = 0;
+};
+
+SurfaceAlignment answer(const Aligned& aligned, const Directions& free, const SceneCoordinates& scene,
+                        const Surface& current, const AlignmentOptions& options) {
+  const NormalEquations& equations = aligned.equations;
+  const double rows = 1 + options.skipped_rows;
+  SurfaceAlignment alignment;
+  alignment.cam2_from_cam1 = aligned.cam1_from_cam2.inverse();
+  alignment.information = equations.H;
+  alignment.overlap =
+      equations.inliers * rows / static_cast<double>(std::max<std::size_t>(current.known, 1));
+  alignment.rms = std::sqrt(equations.squares / std::max(equations.inliers, 1.0));
+  alignment.iterations = aligned.iterations;
+  for (const Vector6d& direction : free) alignment.free_directions.push_back(free_direction(direction, scene));
+  if (free.empty())
+    alignment.covariance =
+        options.noise_area_px *
+        covariance_of_inverse(inverse_of(equations.H, scene, {}), alignment.cam2_from_cam1);
+  return alignment;
+}
+
+class Alignment {
+ public:
+  Alignment(const SurfacePyramid& reference, const SurfacePyramid& current, const AlignmentOptions& options)
+      : reference_(reference),
+        current_(current),
+        options_(options),
+        scene_(reference[0]),
+        scratch_(pull_scratch(std::max(reference[0].grid.width, current[0].grid.width))) {}
+
+  const SceneCoordinates& scene() const { return scene_; }
+
+  // What the reference alone leaves free, whatever is aligned with it.
+  Directions free_directions_of_reference() {
+    constexpr int kRowStep = 4;
+    const auto equations = pull(reference_[0], reference_[0], Pose(), level_of(options_, 0).pull, kRowStep,
+                                scratch_);
+    return free_directions(equations, reference_[0], scene_, options_.least_information);
+  }
+
+  std::optional<Aligned> align(const Pose& guess, const Directions& locked) {
+    Aligned aligned{guess, {}, 0};
+    for (std::size_t k = std::min(reference_.size(), current_.size()); k-- > 0;)
+      if (!align_level(k, locked, aligned)) return std::nullopt;
+    return aligned;
+  }
+
+ private:
+  bool align_level(std::size_t k, const Directions& locked, Aligned& aligned) {
+    const Level level = level_of(options_, k);
+    const double least = options_.least_inliers * std::pow(0.25, k) / level.row_step;
+    for (int i = 0; i < level.most_iterations; ++i) {
+      NormalEquations equations = pull(reference_[k], current_[k], aligned.cam1_from_cam2, level.pull,
+                                       level.row_step, scratch_);
+      if (equations.inliers < least) return false;
+      const Vector6d motion = -inverse_of(equations.H, scene_, locked) * equations.b;
+      aligned.cam1_from_cam2 = moved(aligned.cam1_from_cam2, motion);
+      aligned.equations = equations;
+      ++aligned.iterations;
+      if (is_done(motion, scene_.radius, reference_[k].grid)) break;
+    }
+    return true;
+  }
+
+  const SurfacePyramid& reference_;
+  const SurfacePyramid& current_;
+  const AlignmentOptions& options_;
+  SceneCoordinates scene_;
+  std::vector<float> scratch_;
+};
+
 }  // namespace
 
 void AlignmentOptions::check() const {
@@ -188,39 +277,21 @@ std::optional<SurfaceAlignment> align_surfaces(const SurfacePyramid& reference, 
                                                const AlignmentOptions& options) {
   options.check();
   if (reference.empty() || current.empty()) return std::nullopt;
-  std::vector<float> scratch(pull_scratch(current[0].grid.width));
-  Pose cam1_from_cam2 = cam2_from_cam1_guess.inverse();
-  SurfaceAlignment alignment;
-  for (std::size_t k = std::min(reference.size(), current.size()); k-- > 0;) {
-    const Level level = level_of(options, k);
-    const SceneCoordinates scene(reference[k]);
-    const double pixel_share = std::pow(0.25, k) / level.row_step;
-    Step step;
-    NormalEquations equations;
-    for (int i = 0; i < std::max(level.most_iterations, k == 0 ? 1 : 0); ++i) {
-      equations = pull(reference[k], current[k], cam1_from_cam2, level.pull, level.row_step, scratch);
-      if (equations.inliers < options.least_inliers * pixel_share) return std::nullopt;
-      step = solve(equations, scene,
-                   options.least_information * equations.weight * reference[k].feigned_information /
-                       (level.pull.widening * level.pull.widening));
-      cam1_from_cam2 = moved(cam1_from_cam2, step.motion);
-      ++alignment.iterations;
-      if (is_done(step.motion, scene.radius, reference[k].grid)) break;
-    }
-    if (k > 0) continue;
-    const double known = static_cast<double>(std::max<std::size_t>(current[0].known, 1)) / level.row_step;
-    alignment.overlap = equations.inliers / known;
-    alignment.rms = std::sqrt(equations.squares / std::max(equations.inliers, 1.0));
-    alignment.information = equations.H;
-    for (const Vector6d& direction : step.free)
-      alignment.free_directions.push_back(free_direction(direction, scene));
-    alignment.cam2_from_cam1 = cam1_from_cam2.inverse();
-    if (step.free.empty())
-      alignment.covariance = options.noise_area_px *
-                             covariance_of_inverse(step.inverse, alignment.cam2_from_cam1);
+  Alignment alignment(reference, current, options);
+  const SceneCoordinates& scene = alignment.scene();
+  const Pose guess = cam2_from_cam1_guess.inverse();
+  Directions free = alignment.free_directions_of_reference();
+  auto aligned = alignment.align(guess, free);
+  if (!aligned) return std::nullopt;
+  // What the two have in common may leave more free.
+  const Directions common =
+      free_directions(aligned->equations, reference[0], scene, options.least_information);
+  if (common.size() > free.size()) {
+    free = common;
+    aligned = alignment.align(guess, free);
+    if (!aligned) return std::nullopt;
   }
-  alignment.cam2_from_cam1 = cam1_from_cam2.inverse();
-  return alignment;
+  return answer(*aligned, free, scene, current[0], options);
 }
 
 }  // namespace framewise

@@ -21,7 +21,7 @@ struct AlignmentOptions {
   RobustLoss loss{Loss::kTukey, 4};   // of a point's distance from its plane (standard deviations)
   double widening = 2;                // a level's standard deviations over the next finer one's
   double depth_gate = 0.1;            // points whose depths differ by more (a share) are of two surfaces
-  double normal_gate = 0.7;           // and those whose normals have a smaller cosine (45 deg)
+  double normal_gate = 0.9;           // and those whose normals have a smaller cosine (26 deg)
   // Noise is shared between so many pixels of the full image: a structured-light camera finds depth by
   // comparing windows, and rounds it. Only the covariance depends on it.
   double noise_area_px = 30;
