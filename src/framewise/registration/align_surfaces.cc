@@ -83,8 +83,7 @@ NormalEquations pull(const Surface& reference, const Surface& current, const Pos
 // Motions in coordinates in which all six move the surface about alike, by their length: a rotation about its
 // centre times its radius, and the centre's translation.
 struct SceneCoordinates {
-  SceneCoordinates(const Surface& surface)
-      : centre(surface.centre), radius(std::max(surface.radius, 1e-3)) {
+  SceneCoordinates(const Surface& surface) : centre(surface.centre), radius(std::max(surface.radius, 1e-3)) {
     motion.setIdentity();
     motion.topLeftCorner<3, 3>() /= radius;
     motion.bottomLeftCorner<3, 3>() = skew(centre) / radius;  // tau = tau_centre - omega x centre
@@ -168,7 +167,8 @@ Level level_of(const AlignmentOptions& options, std::size_t k) {
 }
 
 bool is_done(const Vector6d& motion, double radius, const SurfaceGrid& grid) {
-  const double pixels = (motion.head<3>().norm() + motion.tail<3>().norm() / std::max(radius, 1e-3)) * grid.fx;
+  const double pixels =
+      (motion.head<3>().norm() + motion.tail<3>().norm() / std::max(radius, 1e-3)) * grid.fx;
   return pixels < 0.01;
 }
 
@@ -186,14 +186,14 @@ SurfaceAlignment answer(const Aligned& aligned, const Directions& free, const Sc
   SurfaceAlignment alignment;
   alignment.cam2_from_cam1 = aligned.cam1_from_cam2.inverse();
   alignment.information = equations.H;
-  alignment.overlap =
-      equations.inliers * rows / static_cast<double>(std::max<std::size_t>(current.known, 1));
+  alignment.overlap = equations.inliers * rows / static_cast<double>(std::max<std::size_t>(current.known, 1));
   alignment.rms = std::sqrt(equations.squares / std::max(equations.inliers, 1.0));
   alignment.iterations = aligned.iterations;
-  for (const Vector6d& direction : free) alignment.free_directions.push_back(free_direction(direction, scene));
+  for (const Vector6d& direction : free)
+    alignment.free_directions.push_back(free_direction(direction, scene));
   if (free.empty())
     alignment.covariance =
-        options.noise_area_px *
+        options.noise_area_px / rows *
         covariance_of_inverse(inverse_of(equations.H, scene, {}), alignment.cam2_from_cam1);
   return alignment;
 }
@@ -212,8 +212,8 @@ class Alignment {
   // What the reference alone leaves free, whatever is aligned with it.
   Directions free_directions_of_reference() {
     constexpr int kRowStep = 4;
-    const auto equations = pull(reference_[0], reference_[0], Pose(), level_of(options_, 0).pull, kRowStep,
-                                scratch_);
+    const auto equations =
+        pull(reference_[0], reference_[0], Pose(), level_of(options_, 0).pull, kRowStep, scratch_);
     return free_directions(equations, reference_[0], scene_, options_.least_information);
   }
 
@@ -229,9 +229,10 @@ class Alignment {
     const Level level = level_of(options_, k);
     const double least = options_.least_inliers * std::pow(0.25, k) / level.row_step;
     for (int i = 0; i < level.most_iterations; ++i) {
-      NormalEquations equations = pull(reference_[k], current_[k], aligned.cam1_from_cam2, level.pull,
-                                       level.row_step, scratch_);
-      if (equations.inliers < least) return false;
+      NormalEquations equations =
+          pull(reference_[k], current_[k], aligned.cam1_from_cam2, level.pull, level.row_step, scratch_);
+      // Coarse pixels may be too wide for the slopes of a scene; the finest level decides.
+      if (equations.inliers < least) return k > 0;
       const Vector6d motion = -inverse_of(equations.H, scene_, locked) * equations.b;
       aligned.cam1_from_cam2 = moved(aligned.cam1_from_cam2, motion);
       aligned.equations = equations;
@@ -292,6 +293,15 @@ std::optional<SurfaceAlignment> align_surfaces(const SurfacePyramid& reference, 
     if (!aligned) return std::nullopt;
   }
   return answer(*aligned, free, scene, current[0], options);
+}
+
+double fitting_pixels(const SurfacePyramid& reference, const SurfacePyramid& current,
+                      const Pose& cam2_from_cam1, const AlignmentOptions& options) {
+  if (reference.empty() || current.empty()) return 0;
+  const std::size_t k = std::min<std::size_t>({1, reference.size() - 1, current.size() - 1});
+  std::vector<float> scratch(pull_scratch(current[k].grid.width));
+  return pull(reference[k], current[k], cam2_from_cam1.inverse(), level_of(options, k).pull, 2, scratch)
+      .weight;
 }
 
 }  // namespace framewise

@@ -17,14 +17,14 @@ namespace framewise {
 struct AlignmentOptions {
   // Gauss-Newton steps at most, finest level first; a level without an entry takes the last.
   std::array<int, 4> iterations{6, 8, 10, 10};
-  int skipped_rows = 0;               // of the finest level, between two that are used
-  RobustLoss loss{Loss::kTukey, 4};   // of a point's distance from its plane (standard deviations)
-  double widening = 2;                // a level's standard deviations over the next finer one's
-  double depth_gate = 0.1;            // points whose depths differ by more (a share) are of two surfaces
-  double normal_gate = 0.9;           // and those whose normals have a smaller cosine (26 deg)
-  // Noise is shared between so many pixels of the full image: a structured-light camera finds depth by
-  // comparing windows, and rounds it. Only the covariance depends on it.
-  double noise_area_px = 30;
+  int skipped_rows = 0;              // of the finest level, between two that are used
+  RobustLoss loss{Loss::kTukey, 4};  // of a point's distance from its plane (standard deviations)
+  double widening = 2;               // a level's standard deviations over the next finer one's
+  double depth_gate = 0.1;           // points whose depths differ by more (a share) are of two surfaces
+  double normal_gate = 0.9;          // and those whose normals have a smaller cosine (26 deg)
+  // So many pixels of the finest level share their noise: a structured-light camera finds depth by comparing
+  // windows, and rounds it. Only the covariance depends on it.
+  double noise_area_px = 8;
   // A direction is free where the information about it is less than so many times what noise in the normals
   // feigns.
   double least_information = 3;
@@ -65,5 +65,9 @@ struct SurfaceAlignment {
 std::optional<SurfaceAlignment> align_surfaces(const SurfacePyramid& reference, const SurfacePyramid& current,
                                                const Pose& cam2_from_cam1_guess,
                                                const AlignmentOptions& options);
+
+// How many pixels of a coarse level fit under a motion, for the choice between guesses.
+double fitting_pixels(const SurfacePyramid& reference, const SurfacePyramid& current,
+                      const Pose& cam2_from_cam1, const AlignmentOptions& options);
 
 }  // namespace framewise

@@ -79,11 +79,11 @@ template <PullLoss loss>
 FRAMEWISE_INLINE Floats root_weight(const Floats& e, float threshold) {
   const Floats size = e < 0 ? -e : e;
   const Ints within = size < threshold;
-  if constexpr (loss == PullLoss::kHuber) return within ? all(1) : square_root(threshold / (within ? all(1) : size));
+  if constexpr (loss == PullLoss::kHuber)
+    return within ? all(1) : square_root(threshold / (within ? all(1) : size));
   if constexpr (loss == PullLoss::kCauchy) return 1 / square_root(1 + e * e * (1 / (threshold * threshold)));
   if constexpr (loss == PullLoss::kTruncated) return where(within, all(1));
-  if constexpr (loss == PullLoss::kTukey)
-    return where(within, 1 - e * e * (1 / (threshold * threshold)));
+  if constexpr (loss == PullLoss::kTukey) return where(within, 1 - e * e * (1 / (threshold * threshold)));
   return all(1);
 }
 

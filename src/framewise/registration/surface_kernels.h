@@ -4,15 +4,15 @@
 
 namespace framewise {
 
-// The loops under surface_pyramid.h. The instructions used are chosen when the program runs; the answer is the
-// same to the bit with all of them. No OpenCV and no Eigen here: code compiled for newer processors must not
-// leak into shared inline functions.
+// The loops under surface_pyramid.h. The instructions used are chosen when the program runs; the answer is
+// the same to the bit with all of them. No OpenCV and no Eigen here: code compiled for newer processors must
+// not leak into shared inline functions.
 //
 // Images of inverse depth have a margin of unknown pixels (0) all round: kFitReach rows and columns, and
 // kLanes columns more on the right. Rows of answers have kLanes - 1 columns more than pixels.
 
-inline constexpr int kLanes = 8;      // numbers that are worked on together
-inline constexpr int kFitReach = 4;   // the widest neighbourhood is (2 kFitReach + 1)^2 pixels
+inline constexpr int kLanes = 8;     // numbers that are worked on together
+inline constexpr int kFitReach = 4;  // the widest neighbourhood is (2 kFitReach + 1)^2 pixels
 
 // One row of an image of half the size from two: the mean of those of the four pixels that are as near as the
 // nearest of them, up to `tolerance` (a share of it).

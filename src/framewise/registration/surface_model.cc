@@ -93,13 +93,14 @@ void SurfaceModel::fuse(const Surface& frame, const Pose& keyframe_from_cam,
       const std::size_t k = static_cast<std::size_t>(row) * to.width + static_cast<std::size_t>(column);
       if (!(frame.precision[k] > 0)) continue;
       const Eigen::Vector3f n(frame.nx[k], frame.ny[k], frame.nz[k]);
-      // The plane's slope through the pixel's own measurement: planes are rounded at edges, and what is rounded
-      // twice would not fit what is rounded once. n . (turned / w + t) = distance.
+      // The plane's slope through the pixel's own measurement: planes are rounded at edges, and what is
+      // rounded twice would not fit what is rounded once. n . (turned / w + t) = distance.
       if (!(frame.measured_inverse[k] > 0)) continue;
       const float distance = frame.distance[k] * frame.inverse_depth[k] / frame.measured_inverse[k];
       const float seen = n.dot(turned) / (distance - n.dot(t));
       if (!(std::abs(seen - w) < agreement * w)) continue;
-      const float weight = weights ? std::min((*weights)[k], static_cast<float>(options_.inherited_weight)) : 1.0f;
+      const float weight =
+          weights ? std::min((*weights)[k], static_cast<float>(options_.inherited_weight)) : 1.0f;
       if (!(weight > 0)) continue;
       inverse_depth_[i] = w + (seen - w) * (weight / (weight_[i] + weight));
       weight_[i] = std::min(weight_[i] + weight, most);

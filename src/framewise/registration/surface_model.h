@@ -11,13 +11,15 @@
 namespace framewise {
 
 struct SurfaceModelOptions {
-  double least_overlap = 0.75;      // of a frame with the model; with less the frame begins a new one
-  double most_turn_deg = 15;        // from the model's view, likewise
-  double most_distance = 0.15;      // m a metre of depth, likewise
-  double most_weight = 30;          // frames that a pixel remembers
-  double inherited_weight = 10;     // of those, at most, that a new model takes over from the old one
-  double agreement = 0.03;          // a depth that differs by more (a share) is another surface
-  int refit_every = 2;              // frames between two fits of the model's planes
+  double least_overlap = 0.75;  // of a frame with the model; with less the frame begins a new one
+  double most_turn_deg = 5;     // from the model's view, likewise
+  double most_distance = 0.05;  // m a metre of depth, likewise
+  double most_weight = 30;      // frames that a pixel remembers
+  // Of those, at most, that a new model takes over from the old one. A real camera's depth errs by its place
+  // in the image, so that what is handed on does not average out: 0.
+  double inherited_weight = 0;
+  double agreement = 0.03;  // a depth that differs by more (a share) is another surface
+  int refit_every = 2;      // frames between two fits of the model's planes
 
   // Throws std::invalid_argument that names the value.
   void check() const;

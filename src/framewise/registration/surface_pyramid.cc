@@ -28,8 +28,12 @@ class PaddedImage {
 };
 
 SurfaceGrid coarser(const SurfaceGrid& fine) {
-  return {fine.width / 2, fine.height / 2,           fine.fx / 2,
-          fine.fy / 2,    (fine.cx + 0.5f) / 2 - 0.5f, (fine.cy + 0.5f) / 2 - 0.5f};
+  return {fine.width / 2,
+          fine.height / 2,
+          fine.fx / 2,
+          fine.fy / 2,
+          (fine.cx + 0.5f) / 2 - 0.5f,
+          (fine.cy + 0.5f) / 2 - 0.5f};
 }
 
 Surface empty_surface(const SurfaceGrid& grid) {
@@ -131,7 +135,7 @@ void SurfaceOptions::check() const {
   check_option(tolerance > 0 && tolerance < 1, "tolerance", tolerance, "a share above 0 and below 1");
   check_option(min_depth > 0, "min_depth", min_depth, "more than 0 (m)");
   check_option(max_depth > min_depth && std::isfinite(max_depth), "max_depth", max_depth,
-          "more than min_depth (m)");
+               "more than min_depth (m)");
   check_option(sideways_px >= 0 && std::isfinite(sideways_px), "sideways_px", sideways_px, "0 or more");
   check_option(least_cosine >= 0 && least_cosine < 1, "least_cosine", least_cosine, "0 or more, below 1");
   noise.check();
@@ -155,8 +159,8 @@ SurfaceMaker::SurfaceMaker(const Camera& camera, const SurfaceOptions& options)
     for (int u = 0; u < grid_.width; ++u) {
       Place& place = places_[static_cast<std::size_t>(v) * grid_.width + u];
       place = {-1, 0, 0};
-      const auto pixel = camera.project({(u - double{grid_.cx}) / double{grid_.fx},
-                                         (v - double{grid_.cy}) / double{grid_.fy}, 1});
+      const auto pixel = camera.project(
+          {(u - double{grid_.cx}) / double{grid_.fx}, (v - double{grid_.cy}) / double{grid_.fy}, 1});
       if (!pixel) continue;
       const double column = std::clamp(std::floor(pixel->x() + 1e-3), 0.0, camera.width - 2.0);
       const double row = std::clamp(std::floor(pixel->y() + 1e-3), 0.0, camera.height - 2.0);

@@ -16,13 +16,13 @@ struct SurfaceOptions {
   // The finest level has 1 / decimation of the image's width. Half of a Kinect's 640 x 480 says as much as
   // all of it: its noise is shared between neighbours.
   int decimation = 2;
-  int levels = 3;          // each of half the size; fewer where the image is too small
-  int reach_px = 3;        // the neighbourhood of a plane is (2 reach + 1)^2 pixels of its level
+  int levels = 3;           // each of half the size; fewer where the image is too small
+  int reach_px = 3;         // the neighbourhood of a plane is (2 reach + 1)^2 pixels of its level
   double tolerance = 0.05;  // pixels whose inverse depths differ by more (a share) are of two surfaces
   double min_depth = 0.1, max_depth = 20;  // what is nearer or farther counts as unknown (m)
   DepthNoise noise;
-  double sideways_px = 0.75;    // noise of the place of a measurement (pixels of the full image)
-  double least_cosine = 0.3;   // of the angle between a surface's normal and the ray: 73 deg
+  double sideways_px = 0.75;  // noise of the place of a measurement (pixels of the full image)
+  double least_cosine = 0.3;  // of the angle between a surface's normal and the ray: 73 deg
 
   // Throws std::invalid_argument that names the value.
   void check() const;
