@@ -41,6 +41,9 @@ void visit_correspondence_options(OdometryOptions& o, Visit&& visit) {
 // Options of what is made of the matches.
 template <typename Visit>
 void visit_solver_options(OdometryOptions& o, Visit&& visit) {
+  visit("geometry", o.geometry,
+        "steps refined by the depth images' surfaces: frame (to frame), model (to a keyframe's surface),\n"
+        "none; auto: model where the input is made of depth");
   visit("solver", o.solver,
         "with depth: kabsch (3D-3D), p3p (3D-2D); from bearings: eight-point, seven-point, nister-5pt,\n"
         "stewenius-5pt, kneip-5pt-rotation, eigensolver, two-point (the rotation is known)");

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -21,8 +22,10 @@ struct FrameLine {
   Pose cam1_from_cam2;  // the step: the newer camera seen from the older
   bool has_step = false;
   Pose world_from_cam;
-  double load_ms = 0, features_ms = 0, match_ms = 0, step_ms = 0;
+  double load_ms = 0, features_ms = 0, match_ms = 0, step_ms = 0, refine_ms = 0;
   double parallax_deg = 0;  // median over the inliers of the angle between R x1 and x2; NaN without a motion
+  double overlap = std::numeric_limits<double>::quiet_NaN();  // of surfaces; NaN: none were aligned
+  std::string free_directions;                                // that surfaces leave, and that were foretold
 };
 
 // Writes trajectory.tum and frames.csv line by line, so that what was computed survives a failure.

@@ -11,6 +11,7 @@
 
 #include "framewise/odometry/correspond.h"
 #include "framewise/odometry/first_pair_scale.h"
+#include "framewise/odometry/geometric_refinement.h"
 #include "framewise/odometry/trajectory_joiner.h"
 
 namespace framewise {
@@ -22,8 +23,9 @@ using SharedObservation = std::shared_ptr<const Observation>;
 struct Passage {
   std::size_t index = 0;
   double time = 0;
-  SharedObservation current, previous;           // only where there are images
-  std::optional<Correspondences> with_previous;  // none for the first frame
+  SharedObservation current, previous;            // only where there are images
+  std::shared_ptr<const SurfacePyramid> surface;  // where options.geometry wants it
+  std::optional<Correspondences> with_previous;   // none for the first frame
   Step step;
   StageSeconds seconds;
   std::exception_ptr failure;  // kept until all earlier frames have been handed over
@@ -49,7 +51,9 @@ class ImageFront {
         options_(options),
         clock_(clock),
         taps_(taps),
-        input_(std::make_shared<InputImage>(options.input, camera, options.depth.max_depth)) {}
+        input_(std::make_shared<InputImage>(options.input, camera, options.depth.max_depth)) {
+    if (options.uses_surfaces()) refinement_ = std::make_shared<GeometricRefinement>(camera, options);
+  }
 
   void open(Passage& passage) const {
     const double start = clock_();
@@ -57,6 +61,8 @@ class ImageFront {
     const double loaded = clock_();
     passage.time = frame.time;
     passage.current = std::make_shared<Observation>(observe(frame, *input_, camera_, options_));
+    if (refinement_)
+      passage.surface = std::make_shared<const SurfacePyramid>(refinement_->surface(frame.depth));
     passage.seconds.load = loaded - start;
     passage.seconds.features = clock_() - loaded;
   }
@@ -83,6 +89,12 @@ class ImageFront {
     return found;
   }
 
+  // The step from the last frame whose pose was measured, by surfaces; none where they are not used.
+  std::optional<Step> refine(const Passage& passage) const {
+    if (!passage.surface) return std::nullopt;
+    return refinement_->refine(passage.time, passage.surface, passage.step);
+  }
+
   void refer_to(const Passage& passage) { reference_ = passage.current; }
 
  private:
@@ -92,6 +104,7 @@ class ImageFront {
   const Clock& clock_;
   const OdometryTaps& taps_;
   std::shared_ptr<const InputImage> input_;
+  std::shared_ptr<GeometricRefinement> refinement_;
   SharedObservation newest_, reference_;
 };
 
@@ -112,6 +125,7 @@ class PairFront {
   std::optional<Correspondences> with_reference(const Passage& passage, std::size_t reference_index) const {
     return pairs_.pair(reference_index, passage.index);
   }
+  std::optional<Step> refine(const Passage&) const { return std::nullopt; }
   void refer_to(const Passage&) const {}
 
  private:
@@ -163,7 +177,12 @@ class Odometer {
   FrameResult join(Passage& passage) {
     if (passage.failure) std::rethrow_exception(passage.failure);
     front_.before_joining(passage);
+    const double start = clock_();
+    const std::optional<Step> refined = front_.refine(passage);
+    if (refined) passage.step = *refined;
+    passage.seconds.refine = clock_() - start;
     const auto to_reference = [&](std::size_t reference_index) {
+      if (refined) return *refined;
       const auto shared = front_.with_reference(passage, reference_index);
       return shared ? metric(solve(*shared, reference_index, passage.index)) : Step();
     };

@@ -35,7 +35,7 @@ struct PairSource {
 };
 
 struct StageSeconds {
-  double load = 0, features = 0, match = 0, step = 0;
+  double load = 0, features = 0, match = 0, step = 0, refine = 0;
 };
 
 // A frame's line in the answer.

@@ -55,6 +55,12 @@ InlierMeasure OdometryOptions::inlier_measure() const {
   return InlierMeasure::kSampson;
 }
 
+bool OdometryOptions::uses_surface_model() const {
+  return geometry == "model" || (geometry == "auto" && is_made_of_depth(input) && is_metric());
+}
+
+bool OdometryOptions::uses_surfaces() const { return geometry == "frame" || uses_surface_model(); }
+
 void OdometryOptions::check_method() const {
   std::vector<const char*> solvers{"kabsch", "p3p"};
   for (const auto& [name, relative_pose_solver] : kBearingSolvers) solvers.push_back(name);
@@ -73,6 +79,10 @@ void OdometryOptions::check_method() const {
   else
     require_one_of("scale", scale, {"depth", "centroid", "first-pair", "truth", "none"});
   require_one_of("ransac", ransac_scheme, {"on", "two-stage", "off"});
+  require_one_of("geometry", geometry, {"auto", "none", "frame", "model"});
+  if (uses_surfaces() && !is_metric())
+    throw std::invalid_argument("geometry: found '" + geometry + "' with solver " + solver +
+                                ", expected none, or a solver that uses depth (kabsch, p3p)");
   require_one_of("refine", refine, {"covariance", "none"});
 }
 

@@ -29,6 +29,9 @@ struct OdometryOptions {
   // (two_stage.h); off: one sample, no correspondence rejected (single_sample.h).
   std::string ransac_scheme = "on";
   std::string input = "color";  // the image that features are looked for in (input_image.h)
+  // Steps refined by the surfaces of the depth images (geometric_refinement.h): frame (to frame), model (to a
+  // keyframe's surface), none; auto: model where the input is made of depth, none where it is colour.
+  std::string geometry = "auto";
   FeatureOptions features;
   // brute-force: exact nearest descriptors; flann: approximate ones; windowed: exact among features within
   // match.window_px of the same pixel; klt: the first frame's features are tracked, nothing is described.
@@ -55,6 +58,8 @@ struct OdometryOptions {
   // Throws std::invalid_argument that names the value, what was found and what was expected.
   void check() const;
 
+  bool uses_surfaces() const;
+  bool uses_surface_model() const;
   bool tracks() const { return matcher == "klt"; }
   bool is_metric() const { return solver == "kabsch" || solver == "p3p"; }
   bool needs_rotation() const { return solver == "two-point"; }

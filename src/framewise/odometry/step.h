@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "framewise/geometry/camera.h"
@@ -30,6 +31,10 @@ struct Step {
   // bearings has rank 5, with nothing along t: what its length is worth is not told.
   Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
   std::vector<std::uint8_t> inlier_mask;  // 1 for each correspondence that agrees; empty where none was found
+  // Where surfaces were aligned (geometric_refinement.h): the motions they do not resist, along which the
+  // step was foretold, and the share of the frame that fits.
+  std::vector<std::string> free_directions;
+  double overlap = std::numeric_limits<double>::quiet_NaN();
   // What depth says of the length of t, which is 1 (m): only for scale first-pair, where there is depth.
   std::optional<double> length_from_depth;
 };
