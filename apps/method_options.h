@@ -19,7 +19,7 @@ template <typename Visit>
 void visit_correspondence_options(OdometryOptions& o, Visit&& visit) {
   visit("input", o.input,
         "image that features are looked for in: color, or of depth alone: depth, depth-raw,\n"
-        "flexion, flexion-published or normal");
+        "flexion, flexion-published or normal; auto: color where it shows more than noise, else normal");
   visit("detector", o.features.detector, "sift, surf, orb or akaze");
   visit("descriptor", o.features.descriptor, "sift, surf, surf-128, orb or akaze, with any detector");
   visit("features", o.features.count, "features asked for in a frame");
@@ -44,9 +44,10 @@ void visit_solver_options(OdometryOptions& o, Visit&& visit) {
   visit("geometry", o.geometry,
         "steps refined by the depth images' surfaces: frame (to frame), model (to a keyframe's surface),\n"
         "none; auto: model where the input is made of depth");
-  visit("solver", o.solver,
-        "with depth: kabsch (3D-3D), p3p (3D-2D); from bearings: eight-point, seven-point, nister-5pt,\n"
-        "stewenius-5pt, kneip-5pt-rotation, eigensolver, two-point (the rotation is known)");
+  visit(
+      "solver", o.solver,
+      "with depth: kabsch (3D-3D), p3p (3D-2D); from bearings: eight-point, seven-point, nister-5pt,\n"
+      "stewenius-5pt, kneip-5pt-rotation, eigensolver, opencv-essential, two-point (the rotation is known)");
   visit("scale", o.scale, "length of a step from bearings: depth, centroid, first-pair, truth or none");
   visit("error", o.error,
         "what makes an inlier: point-to-point (kabsch), reprojection (p3p);\n"

@@ -35,10 +35,10 @@ Recording of_images(Dataset dataset, double max_truth_gap) {
   return recording;
 }
 
-constexpr std::array<const char*, 11> kOptionsOfImages = {
-    "format",         "camera", "register-depth",      "depth-type",    "depth-factor",
-    "depth-max",      "fps",    "max-time-difference", "max-truth-gap", "archive",
-    "export-features"};
+constexpr std::array<const char*, 12> kOptionsOfImages = {
+    "format",          "camera",  "register-depth",      "depth-type",    "depth-factor",
+    "depth-max",       "fps",     "max-time-difference", "max-truth-gap", "archive",
+    "export-features", "geometry"};
 
 // Any file but a video; whether it is a whole archive, its reader finds out.
 bool is_archive(const std::filesystem::path& path) {

@@ -48,6 +48,7 @@ FrameLine line_of(const FrameResult& result, double parallax_deg) {
   line.step_ms = 1e3 * result.seconds.step;
   line.parallax_deg = parallax_deg;
   line.refine_ms = 1e3 * result.seconds.refine;
+  line.input = result.input;
   line.overlap = result.step.overlap;
   line.free_directions = fmt::format("{}", fmt::join(result.step.free_directions, "; "));
   return line;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # What the rooms above the solver library use, all from the distribution's packages.
-find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs videoio flann features2d video)
+find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs videoio flann features2d video calib3d)
 find_package(TBB REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)

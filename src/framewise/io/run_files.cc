@@ -28,18 +28,18 @@ RunFiles::RunFiles(const fs::path& folder) : folder_(folder) {
   frames_ = open_output_file(folder / "frames.csv", "--out");
   trajectory_ << "# time tx ty tz qx qy qz qw (s, m; world_from_camera, world = the first camera)\n";
   frames_ << "index,time,status,matches,inliers,step_tx,step_ty,step_tz,step_qx,step_qy,step_qz,step_qw,"
-             "load_ms,features_ms,match_ms,step_ms,parallax_deg,refine_ms,overlap,free_directions\n";
+             "load_ms,features_ms,match_ms,step_ms,parallax_deg,refine_ms,overlap,free_directions,input\n";
 }
 
 void RunFiles::add(const FrameLine& line) {
   trajectory_ << fmt::format("{} {}\n", line.time, numbers(line.world_from_cam, ' '));
-  frames_ << fmt::format("{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{},{:.3f},{},{}\n", line.index,
+  frames_ << fmt::format("{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{},{:.3f},{},{},{}\n", line.index,
                          line.time, line.status, line.matches, line.inliers,
                          line.has_step ? numbers(line.cam1_from_cam2, ',') : ",,,,,,", line.load_ms,
                          line.features_ms, line.match_ms, line.step_ms,
                          std::isfinite(line.parallax_deg) ? fmt::format("{:.6g}", line.parallax_deg) : "",
                          line.refine_ms, std::isnan(line.overlap) ? "" : fmt::format("{:.3f}", line.overlap),
-                         line.free_directions.empty() ? "" : '"' + line.free_directions + '"');
+                         line.free_directions.empty() ? "" : '"' + line.free_directions + '"', line.input);
   if (!trajectory_ || !frames_)
     throw std::runtime_error(folder_.string() + ": writing failed (is the disk full?)");
 }

@@ -25,6 +25,7 @@ struct FrameLine {
   double load_ms = 0, features_ms = 0, match_ms = 0, step_ms = 0, refine_ms = 0;
   double parallax_deg = 0;  // median over the inliers of the angle between R x1 and x2; NaN without a motion
   double overlap = std::numeric_limits<double>::quiet_NaN();  // of surfaces; NaN: none were aligned
+  std::string input;                                          // image that features were looked for in
   std::string free_directions;                                // that surfaces leave, and that were foretold
 };
 

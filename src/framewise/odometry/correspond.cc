@@ -69,7 +69,7 @@ Eigen::Vector2d to_eigen(const cv::Point2f& pixel) { return {pixel.x, pixel.y}; 
 
 Correspondences correspond(const Observation& frame1, const Observation& frame2, const Camera& camera,
                            const OdometryOptions& options) {
-  if (frame1.gray.empty() || frame2.gray.empty()) return {};
+  if (frame1.gray.empty() || frame2.gray.empty() || frame1.input != frame2.input) return {};
   const std::vector<Partner> partners =
       options.tracks() ? track(frame1, frame2, options) : match(frame1, frame2, options);
   const double sigma = options.keypoint_sigma_px / std::abs(camera.fx);

@@ -4,7 +4,6 @@
 
 #include "framewise/geometry/so3.h"
 #include "framewise/image/densify.h"
-#include "framewise/odometry/input_image.h"
 
 namespace framewise {
 namespace {
@@ -40,7 +39,6 @@ Pose renewed(const Pose& pose) { return Pose::from_quaternion(pose.quaternion(),
 
 GeometricRefinement::GeometricRefinement(const Camera& camera, const OdometryOptions& options)
     : uses_model_(options.uses_surface_model()),
-      sees_color_(!is_made_of_depth(options.input)),
       maker_(camera, surface_options(options)),
       model_(maker_, alignment_, {}) {}
 
@@ -75,12 +73,14 @@ std::optional<GeometricRefinement::Found> GeometricRefinement::align(const Surfa
   return Found{*alignment, renewed(world_from_cam1 * alignment->cam2_from_cam1.inverse())};
 }
 
-std::optional<GeometricRefinement::Found> GeometricRefinement::find(
-    const SurfacePyramid& surface, const Pose& prediction, const std::optional<Pose>& by_features) const {
+std::optional<GeometricRefinement::Found> GeometricRefinement::find(const SurfacePyramid& surface,
+                                                                    const Pose& prediction,
+                                                                    const std::optional<Pose>& by_features,
+                                                                    bool in_color) const {
   const auto found = align(surface, guess(surface, prediction, by_features));
   if (!found || found->alignment.free_directions.empty() || !by_features) return found;
   // The guess stays along what is free: it must be one that knows of it.
-  return align(surface, sees_color_ ? *by_features : prediction);
+  return align(surface, in_color ? *by_features : prediction);
 }
 
 void GeometricRefinement::refer_to(double time, std::shared_ptr<const SurfacePyramid> surface,
@@ -100,7 +100,7 @@ void GeometricRefinement::refer_to(double time, std::shared_ptr<const SurfacePyr
 }
 
 Step GeometricRefinement::refine(double time, std::shared_ptr<const SurfacePyramid> surface,
-                                 const Step& from_features) {
+                                 const Step& from_features, bool in_color) {
   Step step = from_features;
   const bool sees = shows_enough(*surface);
   if (!reference_) {
@@ -110,7 +110,7 @@ Step GeometricRefinement::refine(double time, std::shared_ptr<const SurfacePyram
   std::optional<Pose> by_features;
   if (newest_is_reference_ && is_measured(from_features.status))
     by_features = world_from_reference_ * from_features.cam2_from_cam1.inverse();
-  const auto found = sees ? find(*surface, predicted(time), by_features) : std::nullopt;
+  const auto found = sees ? find(*surface, predicted(time), by_features, in_color) : std::nullopt;
   if (!found && !by_features) {
     newest_is_reference_ = false;
     step = Step();

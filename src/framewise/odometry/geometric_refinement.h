@@ -29,7 +29,9 @@ class GeometricRefinement {
   // the last frame whose pose was measured. Status: ok; low-parallax where a direction was left free;
   // no-depth where the depth image shows too little and lost where it does not fit, unless the features'
   // step serves.
-  Step refine(double time, std::shared_ptr<const SurfacePyramid> surface, const Step& from_features);
+  // in_color: the features were found in colour.
+  Step refine(double time, std::shared_ptr<const SurfacePyramid> surface, const Step& from_features,
+              bool in_color);
 
  private:
   struct Found {
@@ -42,11 +44,11 @@ class GeometricRefinement {
              const std::optional<Pose>& by_features) const;
   std::optional<Found> align(const SurfacePyramid& surface, const Pose& world_from_cam_guess) const;
   std::optional<Found> find(const SurfacePyramid& surface, const Pose& prediction,
-                            const std::optional<Pose>& by_features) const;
+                            const std::optional<Pose>& by_features, bool in_color) const;
   void refer_to(double time, std::shared_ptr<const SurfacePyramid> surface, const Pose& world_from_cam,
                 double overlap);
 
-  bool uses_model_, sees_color_;
+  bool uses_model_;
   SurfaceMaker maker_;
   AlignmentOptions alignment_;
   SurfaceModel model_;

@@ -18,6 +18,7 @@ namespace framewise {
 //   depth              holes filled, contrast equalised locally (CLAHE)
 //   flexion-published  flexion.h in its published form, neighbours one pixel away, nothing added
 //   flexion            flexion of smoothed inverse depth, neighbours farther away
+//   auto               color where it shows more than noise, else normal, frame by frame
 //   normal             the surface normal's component against the optical axis, likewise
 // All but the first are made of the depth image alone, and see in the dark.
 class InputImage {
@@ -28,10 +29,13 @@ class InputImage {
   // Empty where the frame does not have the image it is made of.
   cv::Mat of(const Frame& frame) const;
 
+  // Of those names, the one whose image of() is: itself, unless it is auto.
+  std::string chosen(const Frame& frame) const;
+
   static void check(const std::string& name);
 
  private:
-  cv::Mat of_depth(const cv::Mat& depth) const;
+  cv::Mat of_depth(const std::string& name, const cv::Mat& depth) const;
 
   std::string name_;
   double max_depth_;
@@ -39,6 +43,7 @@ class InputImage {
 };
 
 // Whether the name's image is made of the depth image.
+// (of auto: not every time, but where depth is needed it is there).
 inline bool is_made_of_depth(const std::string& input_name) { return input_name != "color"; }
 
 }  // namespace framewise

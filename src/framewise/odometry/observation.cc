@@ -21,6 +21,7 @@ Observation observe(const Frame& frame, const InputImage& input, const Camera& c
                     const OdometryOptions& options) {
   Observation observation;
   observation.time = frame.time;
+  observation.input = input.chosen(frame);
   observation.gray = input.of(frame);
   observation.depth = frame.depth;
   if (observation.gray.empty()) return observation;

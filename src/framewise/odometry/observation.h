@@ -25,7 +25,8 @@ struct Sighting {
 // What odometry keeps of a frame: its images and its features with their bearings and depths.
 // sightings[i] belongs to features.keypoints[i].
 struct Observation {
-  double time = 0;  // s
+  double time = 0;    // s
+  std::string input;  // the image that the features were found in, by its name (InputImage::chosen)
   Features features;
   std::vector<Sighting> sightings;  // features that the lens model cannot explain are left out
   cv::Mat gray;                     // that the features were found in

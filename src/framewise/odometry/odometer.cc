@@ -92,7 +92,8 @@ class ImageFront {
   // The step from the last frame whose pose was measured, by surfaces; none where they are not used.
   std::optional<Step> refine(const Passage& passage) const {
     if (!passage.surface) return std::nullopt;
-    return refinement_->refine(passage.time, passage.surface, passage.step);
+    const bool in_color = passage.current && passage.current->input == "color";
+    return refinement_->refine(passage.time, passage.surface, passage.step, in_color);
   }
 
   void refer_to(const Passage& passage) { reference_ = passage.current; }
@@ -189,7 +190,8 @@ class Odometer {
     const auto joined = passage.index == 0 ? joiner_.start(passage.time)
                                            : joiner_.add(passage.time, metric(passage.step), to_reference);
     if (joiner_.reference_index() == passage.index) front_.refer_to(passage);
-    return {passage.index, passage.time, joined.step, joined.world_from_cam, passage.seconds};
+    return {passage.index,         passage.time,    joined.step,
+            joined.world_from_cam, passage.seconds, passage.current ? passage.current->input : ""};
   }
 
  private:

@@ -45,6 +45,7 @@ struct FrameResult {
   Step step;            // from the frame before it, or from the last good one after a loss
   Pose world_from_cam;  // world = the first frame's camera
   StageSeconds seconds;
+  std::string input;  // the image that features were looked for in (InputImage::chosen); empty: no images
 };
 
 // Seconds of a steady clock; the library never reads one by itself.

@@ -62,13 +62,15 @@ bool OdometryOptions::uses_surface_model() const {
 bool OdometryOptions::uses_surfaces() const { return geometry == "frame" || uses_surface_model(); }
 
 void OdometryOptions::check_method() const {
-  std::vector<const char*> solvers{"kabsch", "p3p"};
+  std::vector<const char*> solvers{"kabsch", "p3p", "opencv-essential"};
   for (const auto& [name, relative_pose_solver] : kBearingSolvers) solvers.push_back(name);
   require_one_of("solver", solver, solvers);
   if (solver == "kabsch")
     require_one_of("error (with solver kabsch)", error, {"default", "point-to-point"});
   else if (solver == "p3p")
     require_one_of("error (with solver p3p)", error, {"default", "reprojection"});
+  else if (solver == "opencv-essential")
+    require_one_of("error (with solver opencv-essential)", error, {"default", "sampson"});
   else if (solver == "two-point")
     require_one_of("error (with solver two-point)", error, {"default", "sampson"});
   else
@@ -78,6 +80,8 @@ void OdometryOptions::check_method() const {
     require_one_of("scale (with a solver that uses depth)", scale, {"depth"});
   else
     require_one_of("scale", scale, {"depth", "centroid", "first-pair", "truth", "none"});
+  if (solver == "opencv-essential")
+    require_one_of("ransac (with solver opencv-essential)", ransac_scheme, {"on"});
   require_one_of("ransac", ransac_scheme, {"on", "two-stage", "off"});
   require_one_of("geometry", geometry, {"auto", "none", "frame", "model"});
   if (uses_surfaces() && !is_metric())

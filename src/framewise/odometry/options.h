@@ -18,7 +18,8 @@ namespace framewise {
 // How `framewise run` turns frames into a trajectory. The names are those of the command line.
 struct OdometryOptions {
   // With depth, metric: kabsch (3D-3D), p3p (3D-2D). From bearings alone: eight-point, seven-point,
-  // nister-5pt, stewenius-5pt, kneip-5pt-rotation, eigensolver, and two-point, which is given the rotation.
+  // nister-5pt, stewenius-5pt, kneip-5pt-rotation, eigensolver, opencv-essential (essential_by_opencv.h), and
+  // two-point, which is given the rotation.
   std::string solver = "kabsch";
   // What makes an inlier. kabsch: point-to-point; p3p: reprojection; bearings: sampson, reprojection or
   // bearing-euclidean (two-point: sampson). default: the first of these.

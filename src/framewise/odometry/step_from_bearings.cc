@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framewise/odometry/essential_by_opencv.h"
 #include "framewise/odometry/scale.h"
 #include "framewise/odometry/step_from_estimate.h"
 #include "framewise/robust/relative_pose.h"
@@ -20,6 +21,8 @@ const auto kUnknown = std::numeric_limits<double>::quiet_NaN();
 std::optional<Estimate> relative_pose(const Correspondences& shared, const Camera& camera,
                                       const OdometryOptions& options, std::uint64_t seed,
                                       const std::optional<Eigen::Matrix3d>& rotation) {
+  if (options.solver == "opencv-essential")
+    return essential_by_opencv(shared, options.max_error_px / std::abs(camera.fx), options.ransac.confidence);
   RelativePoseOptions relative;
   relative.ransac = options.ransac;
   relative.ransac.seed = seed;
