@@ -247,7 +247,7 @@ TEST(OdometryOptions, NameTheBadValue) {
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(),
                  "solver: found 'magic', expected one of kabsch, p3p, eight-point, seven-point, nister-5pt, "
-                 "stewenius-5pt, kneip-5pt-rotation, eigensolver, two-point");
+                 "stewenius-5pt, kneip-5pt-rotation, eigensolver, two-point, opencv-essential");
   }
   options = kDefault;
   options.scale = "none";

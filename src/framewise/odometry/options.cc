@@ -62,8 +62,9 @@ bool OdometryOptions::uses_surface_model() const {
 bool OdometryOptions::uses_surfaces() const { return geometry == "frame" || uses_surface_model(); }
 
 void OdometryOptions::check_method() const {
-  std::vector<const char*> solvers{"kabsch", "p3p", "opencv-essential"};
+  std::vector<const char*> solvers{"kabsch", "p3p"};
   for (const auto& [name, relative_pose_solver] : kBearingSolvers) solvers.push_back(name);
+  solvers.push_back("opencv-essential");
   require_one_of("solver", solver, solvers);
   if (solver == "kabsch")
     require_one_of("error (with solver kabsch)", error, {"default", "point-to-point"});
