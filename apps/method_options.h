@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "framewise/odometry/options.h"
 
@@ -70,9 +71,35 @@ void visit_solver_options(OdometryOptions& o, Visit&& visit) {
   visit("seed", o.seed, "of every random choice");
 }
 
+// Options of the local map, which `run` takes when a frame is related to one.
+template <typename Visit>
+void visit_map_options(OdometryOptions& o, Visit&& visit) {
+  visit("shrink", o.map.shrink, "map: poses towards the motion before, by both uncertainties");
+  visit("adjust", o.map.adjust, "map: the last keyframes and their points together");
+  visit("fuse", o.map.fuse, "map: depth of later frames into the points");
+  visit("follow-delay", o.map.follow, "map: depth to where the camera was when it was taken");
+  visit("unskew", o.map.unskew, "map: a rolling shutter's rows, by a readout that is learned");
+  visit("map-features", o.map.features, "map: features of a keyframe");
+  visit("map-spread", o.map.spread, "map: features over the image: none, grid or anms");
+  visit("keyframe-share", o.map.keyframe_share, "map: one that sees less of the last keyframe becomes one");
+  visit("keyframes", o.map.keyframes, "map: keyframes that are kept");
+  visit("newest-keyframes", o.map.newest, "map: of them tracked against whatever they see");
+  visit("other-keyframes", o.map.others, "map: and those most in view");
+  visit("map-points", o.map.points, "map: points tracked in a frame");
+  visit("map-window-px", o.map.window_px, "map: how far from where it is expected a point is looked for");
+  visit("least-sigma-px", o.map.least_sigma_px, "map: least noise of a tracked point (pixels)");
+  visit("map-min-inliers", o.map.min_inliers, "map: with fewer a frame is not measured");
+  visit("max-coast", o.map.max_coast, "map: how long the motion goes on unmeasured (s)");
+}
+
 void add_method_options(CLI::App& app, OdometryOptions& options);
+void add_map_options(CLI::App& app, OdometryOptions& options);
+
+// The options that were chosen of those that say how two frames are related: then no map is asked for.
+std::vector<std::string> method_options_chosen(const CLI::App& app);
 
 nlohmann::ordered_json options_json(OdometryOptions options);
+nlohmann::ordered_json map_options_json(OdometryOptions options);
 
 // The options that shape correspondences, as text: what an archive keeps of them.
 std::map<std::string, std::string> correspondence_option_texts(OdometryOptions options);

@@ -13,6 +13,9 @@
 #include "framewise/io/input_error.h"
 #include "framewise/io/output_file.h"
 #include "framewise/io/run_files.h"
+#include "framewise/io/trajectory_files.h"
+#include "framewise/odometry/map_odometer.h"
+#include "framewise/report/evaluation_json.h"
 #include "known_rotation.h"
 #include "method_options.h"
 #include "progress.h"
@@ -28,7 +31,7 @@ struct RunCommand {
   std::filesystem::path path, out, config, archive, features_folder, figures;
   DatasetOptions dataset;
   OdometryOptions odometry;
-  std::string rotation = "none";
+  std::string rotation = "none", reference = "auto";
   bool quiet = false, json = false, no_report = false;
 };
 
@@ -41,6 +44,7 @@ FrameLine line_of(const FrameResult& result, double parallax_deg) {
   line.inliers = result.step.inliers;
   line.has_step = is_measured(result.step.status);
   line.cam1_from_cam2 = result.step.cam2_from_cam1.inverse();
+  line.covariance = inverse_covariance(result.step.cam2_from_cam1, result.step.covariance);
   line.world_from_cam = result.world_from_cam;
   line.load_ms = 1e3 * result.seconds.load;
   line.features_ms = 1e3 * result.seconds.features;
@@ -54,12 +58,40 @@ FrameLine line_of(const FrameResult& result, double parallax_deg) {
   return line;
 }
 
+// auto: a map, unless a method between two frames was chosen or its correspondences are to be kept.
+std::string chosen_reference(const RunCommand& command, const CLI::App& app, const Recording& recording) {
+  if (command.reference == "map")
+    for (const std::string& name : method_options_chosen(app))
+      if (name != "scale")
+        throw std::invalid_argument(
+            fmt::format("reference: found map with --{}, which is of a method between two frames; expected "
+                        "--reference frame",
+                        name));
+  if (command.reference != "auto") return command.reference;
+  const bool has_images =
+      recording.images && recording.images->frames_with_color > 0 && recording.images->frames_with_depth > 0;
+  const bool looks_forward = recording.from.calibration.camera.model != CameraModel::kEquirectangular;
+  const bool keeps_pairs = !command.archive.empty() || !command.features_folder.empty();
+  const bool maps = has_images && looks_forward && !keeps_pairs && method_options_chosen(app).empty();
+  return maps ? "map" : "frame";
+}
+
 void check_means(const RunCommand& command, const Recording& recording) {
   const OdometryOptions& method = command.odometry;
   if (recording.images && recording.images->frames_with_color == 0 && method.input == "color")
     throw InputError(recording.path, 0, "colour", "depth images alone",
                      "--input depth, flexion or normal, which looks for features in depth");
-  if ((method.needs_depth() || method.scale == "first-pair") && recording.from.frames_with_depth == 0)
+  const bool maps = method.reference == "map";
+  if (maps && !recording.images)
+    throw InputError(recording.path, 0, "reference", "an archive, which has no images",
+                     "a data set for --reference map");
+  if (maps && recording.images->frames_with_color == 0)
+    throw InputError(recording.path, 0, "colour", "depth images alone", "colour for --reference map");
+  if (maps && recording.from.calibration.camera.model == CameraModel::kEquirectangular)
+    throw InputError(recording.path, 0, "camera", "an equirectangular camera",
+                     "one that looks forward for --reference map");
+  if (!maps && (method.needs_depth() || method.scale == "first-pair") &&
+      recording.from.frames_with_depth == 0)
     throw InputError(recording.path, 0, "depth", "no depth images",
                      "some for this method (without: --solver nister-5pt --scale none)");
   if (method.needs_rotation() && command.rotation == "none")
@@ -117,6 +149,20 @@ OdometryTaps export_taps(const RunCommand& command, const Dataset& images) {
   return taps;
 }
 
+// Returns the poses as they are known in the end.
+std::vector<Pose> run_map(const RunCommand& command, const Recording& recording, const Clock& clock,
+                          const FrameSink& sink, Catch& caught) {
+  const Dataset& images = *recording.images;
+  const FrameSource source{recording.size(),
+                           [&](std::size_t i) {
+                             const Frame frame = load_frame(images, i);
+                             if (caught.keeper) caught.keeper->see_image(i, frame);
+                             return frame;
+                           },
+                           knowledge(command, recording)};
+  return run_map_odometry(source, recording.from.calibration.camera, command.odometry, clock, sink);
+}
+
 void run_images(const RunCommand& command, const Recording& recording, const Clock& clock,
                 const FrameSink& sink, Catch& caught) {
   const Dataset& images = *recording.images;
@@ -149,7 +195,9 @@ void run_images(const RunCommand& command, const Recording& recording, const Clo
 }
 
 Json resolved_options(const RunCommand& command, const Recording& recording) {
-  Json options = options_json(command.odometry);
+  Json options = {{"reference", command.odometry.reference}};
+  if (command.odometry.reference == "map") options.update(map_options_json(command.odometry));
+  options.update(options_json(command.odometry));
   options["rotation"] = command.rotation;
   if (!recording.images) return options;
   options.update(dataset_options_json(command.dataset));
@@ -158,9 +206,15 @@ Json resolved_options(const RunCommand& command, const Recording& recording) {
 
 int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
   if (!command.config.empty()) apply_config(app, command.config);
+  if (command.reference == "map") command.odometry.reference = "map";
   command.odometry.check();
   const Recording recording = open_recording(command.path, command.dataset);
   if (recording.archive) apply_archive(app, recording, command.odometry);
+  command.odometry.reference = chosen_reference(command, app, recording);
+  // Without depth the length of the first motion is the unit.
+  if (command.odometry.reference == "map" && recording.from.frames_with_depth == 0 &&
+      command.odometry.scale == "depth")
+    command.odometry.scale = "none";
   command.odometry.check();
   check_means(command, recording);
   RunFiles files(command.out);
@@ -169,6 +223,7 @@ int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
   if (!command.no_report) caught.keeper.emplace(command.out / kReportData, recording.size());
 
   Tally tally;
+  std::vector<Pose> final_poses;
   double seconds = 0;
   {
     Progress progress("run", recording.size(), command.quiet);
@@ -180,15 +235,25 @@ int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
       tally.add(result);
       progress.advance();
     };
-    if (recording.archive)
+    if (command.odometry.reference == "map")
+      final_poses = run_map(command, recording, clock, sink, caught);
+    else if (recording.archive)
       tally.missing_pairs = run_archive(command, recording, clock, sink, caught);
     else
       run_images(command, recording, clock, sink, caught);
     seconds = progress.seconds();
   }
 
-  const auto evaluation = evaluate_run(recording, command.odometry, tally);
+  const auto evaluation = evaluate_run(recording, command.odometry, tally.trajectory);
   Json run = run_record(recording, resolved_options(command, recording), tally, seconds, evaluation);
+  std::optional<Evaluation> final_evaluation;
+  if (!final_poses.empty()) {
+    Trajectory final;
+    for (std::size_t i = 0; i < final_poses.size(); ++i) final.add(recording.times[i], final_poses[i]);
+    write_tum_trajectory(command.out / "trajectory_final.tum", final);
+    final_evaluation = evaluate_run(recording, command.odometry, final);
+    run["evaluation_final"] = final_evaluation ? Json(to_json(*final_evaluation)) : Json(nullptr);
+  }
   run["command"] = invocation.command;
   run["machine"] = invocation.machine;
   files.write_record(run.dump(2, ' ', false, Json::error_handler_t::replace));
@@ -200,7 +265,7 @@ int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
   if (command.json)
     fmt::print("{}\n", run.dump(2, ' ', false, Json::error_handler_t::replace));
   else if (!command.quiet)
-    print_summary(run, evaluation, command.out, !command.no_report);
+    print_summary(run, evaluation, final_evaluation, command.out, !command.no_report);
 
   if (tally.frames > 1 && tally.measured() <= 1)
     throw std::runtime_error(fmt::format("no motion could be measured in {} frames ({} has their statuses)",
@@ -228,7 +293,13 @@ void add_run(CLI::App& program, Action& action, const Invocation& invocation) {
   app->add_option("--export-features", command->features_folder,
                   "folder to write keypoints and descriptors to, a text file a frame");
   add_dataset_options(*app, command->dataset);
+  app->add_option("--reference", command->reference,
+                  "what a frame is related to: map (a local map of the frames before), frame (the frame\n"
+                  "before, by the solver below); auto: map unless a method between two frames is chosen")
+      ->check(CLI::IsMember({"auto", "map", "frame"}))
+      ->capture_default_str();
   add_method_options(*app, command->odometry);
+  add_map_options(*app, command->odometry);
   app->add_option(
          "--rotation", command->rotation,
          "of solver two-point: truth, gyro (the data set's), or a file: a trajectory of the camera,\n"

@@ -39,14 +39,14 @@ Json archive_json(const Recording& recording, const Tally& tally) {
 }  // namespace
 
 std::optional<Evaluation> evaluate_run(const Recording& recording, const OdometryOptions& odometry,
-                                       const Tally& tally) {
+                                       const Trajectory& estimate) {
   const Trajectory truth = recording.true_trajectory();
-  if (truth.size() < 2 || tally.frames < 2) return std::nullopt;
+  if (truth.size() < 2 || estimate.size() < 2) return std::nullopt;
   EvaluationOptions options;
   options.association.max_difference = 1e-6;
   if (odometry.scale == "none") options.alignment = Alignment::kSim3;
   try {
-    return evaluate(truth, tally.trajectory, options);
+    return evaluate(truth, estimate, options);
   } catch (const std::invalid_argument&) {
     return std::nullopt;  // an estimate that never moved has no scale
   }
@@ -85,7 +85,8 @@ Json run_record(const Recording& recording, const Json& options, const Tally& ta
 }
 
 void print_summary(const Json& run, const std::optional<Evaluation>& evaluation,
-                   const std::filesystem::path& out, bool has_report) {
+                   const std::optional<Evaluation>& final_evaluation, const std::filesystem::path& out,
+                   bool has_report) {
   std::string statuses;
   for (const auto& [status, count] : run["statuses"].items())
     if (count != 0)
@@ -98,12 +99,17 @@ void print_summary(const Json& run, const std::optional<Evaluation>& evaluation,
   if (const Json& archive = run["archive"]; !archive.is_null() && archive["missing_pairs"] > 0)
     fmt::print("{} pairs to bridge a loss are not in the archive: run on the images to have them\n",
                archive["missing_pairs"].get<std::size_t>());
+  if (evaluation && final_evaluation) fmt::print("Causal: each pose as it was known when its frame came\n");
   if (evaluation)
     fmt::print("{}", to_text(*evaluation));
   else
     fmt::print("No truth beside the recording: nothing to evaluate against.\n");
-  fmt::print("Written: {}\n",
-             (out / "{trajectory.tum,frames.csv,run.json").string() + (has_report ? ",report.html}" : "}"));
+  if (final_evaluation)
+    fmt::print("\nFinal: the poses with what later frames told of them\n{}", to_text(*final_evaluation));
+  const bool has_final = run.contains("evaluation_final");
+  fmt::print("Written: {}\n", (out / "{trajectory.tum").string() +
+                                  (has_final ? ",trajectory_final.tum" : "") + ",frames.csv,run.json" +
+                                  (has_report ? ",report.html}" : "}"));
 }
 
 }  // namespace framewise::apps

@@ -49,14 +49,16 @@ struct Tally {
 
 // Against the truth at the frames' own times. Steps of no known length are judged up to one scale.
 std::optional<Evaluation> evaluate_run(const Recording& recording, const OdometryOptions& odometry,
-                                       const Tally& tally);
+                                       const Trajectory& estimate);
 
 // run.json.
 nlohmann::ordered_json run_record(const Recording& recording, const nlohmann::ordered_json& options,
                                   const Tally& tally, double seconds,
                                   const std::optional<Evaluation>& evaluation);
 
+// final_evaluation: of the trajectory as it is known in the end, where there is one.
 void print_summary(const nlohmann::ordered_json& run, const std::optional<Evaluation>& evaluation,
-                   const std::filesystem::path& out, bool has_report);
+                   const std::optional<Evaluation>& final_evaluation, const std::filesystem::path& out,
+                   bool has_report);
 
 }  // namespace framewise::apps

@@ -43,4 +43,7 @@ struct Pose {
 // A pose between two poses: rotation by slerp, translation linear; s = 0 gives a, s = 1 gives b.
 Pose interpolate(const Pose& a, const Pose& b, double s);
 
+// Covariance of the inverse's tangent vector, from that of the pose's.
+Matrix6d inverse_covariance(const Pose& pose, const Matrix6d& covariance);
+
 }  // namespace framewise

@@ -81,6 +81,7 @@ Frame read_frame(const FrameFiles& files, const CameraFile& calibration, const s
     check_size(files.color, frame.gray, calibration.camera, source);
   }
   if (!files.depth.empty()) frame.depth = read_depth(files.depth, calibration, source, registration);
+  frame.depth_delay = files.depth_delay;
   return frame;
 }
 

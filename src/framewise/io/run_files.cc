@@ -20,6 +20,25 @@ std::string numbers(const Pose& pose, char separator) {
                      q.x(), q.y(), q.z(), q.w());
 }
 
+constexpr const char* kTangent[] = {"rx", "ry", "rz", "tx", "ty", "tz"};
+
+// cov_rx_rx, cov_rx_ry, ... cov_tz_tz: the upper triangle, row by row.
+std::string covariance_header() {
+  std::string header;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) header += fmt::format(",cov_{}_{}", kTangent[i], kTangent[j]);
+  return header;
+}
+
+// Empty fields where a number is not known.
+std::string covariance_fields(const Matrix6d& covariance) {
+  std::string fields;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j)
+      fields += std::isfinite(covariance(i, j)) ? fmt::format(",{:.6g}", covariance(i, j)) : ",";
+  return fields;
+}
+
 }  // namespace
 
 RunFiles::RunFiles(const fs::path& folder) : folder_(folder) {
@@ -28,18 +47,20 @@ RunFiles::RunFiles(const fs::path& folder) : folder_(folder) {
   frames_ = open_output_file(folder / "frames.csv", "--out");
   trajectory_ << "# time tx ty tz qx qy qz qw (s, m; world_from_camera, world = the first camera)\n";
   frames_ << "index,time,status,matches,inliers,step_tx,step_ty,step_tz,step_qx,step_qy,step_qz,step_qw,"
-             "load_ms,features_ms,match_ms,step_ms,parallax_deg,refine_ms,overlap,free_directions,input\n";
+             "load_ms,features_ms,match_ms,step_ms,parallax_deg,refine_ms,overlap,free_directions,input"
+          << covariance_header() << '\n';
 }
 
 void RunFiles::add(const FrameLine& line) {
   trajectory_ << fmt::format("{} {}\n", line.time, numbers(line.world_from_cam, ' '));
-  frames_ << fmt::format("{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{},{:.3f},{},{},{}\n", line.index,
+  frames_ << fmt::format("{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{},{:.3f},{},{},{}{}\n", line.index,
                          line.time, line.status, line.matches, line.inliers,
                          line.has_step ? numbers(line.cam1_from_cam2, ',') : ",,,,,,", line.load_ms,
                          line.features_ms, line.match_ms, line.step_ms,
                          std::isfinite(line.parallax_deg) ? fmt::format("{:.6g}", line.parallax_deg) : "",
                          line.refine_ms, std::isnan(line.overlap) ? "" : fmt::format("{:.3f}", line.overlap),
-                         line.free_directions.empty() ? "" : '"' + line.free_directions + '"', line.input);
+                         line.free_directions.empty() ? "" : '"' + line.free_directions + '"', line.input,
+                         covariance_fields(line.covariance));
   if (!trajectory_ || !frames_)
     throw std::runtime_error(folder_.string() + ": writing failed (is the disk full?)");
 }

@@ -21,6 +21,8 @@ struct FrameLine {
   int matches = 0, inliers = 0;
   Pose cam1_from_cam2;  // the step: the newer camera seen from the older
   bool has_step = false;
+  // Of the step's tangent (rotation, translation), rad and m; NaN where it is not known.
+  Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
   Pose world_from_cam;
   double load_ms = 0, features_ms = 0, match_ms = 0, step_ms = 0, refine_ms = 0;
   double parallax_deg = 0;  // median over the inliers of the angle between R x1 and x2; NaN without a motion

@@ -92,7 +92,11 @@ void OdometryOptions::check_method() const {
 }
 
 void OdometryOptions::check() const {
-  check_method();
+  require_one_of("reference", reference, {"frame", "map"});
+  if (reference == "map")
+    require_one_of("scale (with reference map)", scale, {"depth", "truth", "none"});
+  else
+    check_method();
   InputImage::check(input);
   require(keypoint_sigma_px > 0, "keypoint-sigma-px", keypoint_sigma_px, "more than 0");
   depth_noise.check();
@@ -109,6 +113,7 @@ void OdometryOptions::check() const {
   track.check();
   depth.check();
   ransac.check();
+  map.check();
 }
 
 }  // namespace framewise

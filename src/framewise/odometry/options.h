@@ -10,6 +10,7 @@
 #include "framewise/features/tracking.h"
 #include "framewise/geometry/depth_noise.h"
 #include "framewise/image/depth.h"
+#include "framewise/odometry/map_options.h"
 #include "framewise/robust/ransac_options.h"
 #include "framewise/robust/relative_pose.h"
 
@@ -17,6 +18,10 @@ namespace framewise {
 
 // How `framewise run` turns frames into a trajectory. The names are those of the command line.
 struct OdometryOptions {
+  // What a frame is related to. frame: the frame before it, by the solver below. map: a local map of the
+  // frames before (map_odometer.h), which has its own method.
+  std::string reference = "frame";
+  MapOptions map;
   // With depth, metric: kabsch (3D-3D), p3p (3D-2D). From bearings alone: eight-point, seven-point,
   // nister-5pt, stewenius-5pt, kneip-5pt-rotation, eigensolver, opencv-essential (essential_by_opencv.h), and
   // two-point, which is given the rotation.

@@ -117,6 +117,13 @@ std::string curves_html(const Figures& figures) {
   return html + "</div>\n";
 }
 
+std::string method_text(const RunReport& report) {
+  if (record_text(report.record, "/options/reference") == "map")
+    return "Visual odometry against a local map of the frames before";
+  return fmt::format("Visual odometry with {}, scale {}", record_text(report.record, "/options/solver"),
+                     record_text(report.record, "/options/scale"));
+}
+
 std::string method_html(const RunReport& report) {
   Entries entries;
   const auto add = [&](const std::string& name, const std::string& place) {
@@ -150,10 +157,7 @@ std::string run_page(const RunReport& report) {
   page.body = fmt::format(
       "<header><h1>{}</h1><p>{}</p><button type=\"button\" id=\"theme\">dark / "
       "light</button></header>\n<main>\n",
-      html_text(report.title),
-      html_text(fmt::format("Visual odometry with {}, scale {}",
-                            record_text(report.record, "/options/solver"),
-                            record_text(report.record, "/options/scale"))));
+      html_text(report.title), html_text(method_text(report)));
   page.body += facts(report) + html_hints(run_hints(report));
   page.body +=
       "<noscript><p class=\"quiet\">Without JavaScript there is no slider and no 3D scene; figures and "

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/odometry/local_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace framewise {
+namespace {
+
+// Seen from farther than twice or nearer than half, or from 45 degrees beside, a patch is another one.
+bool is_seen_alike(const Eigen::Vector3d& x_in_host, const Eigen::Vector3d& x_in_cam,
+                   const Eigen::Matrix3d& cam_from_host) {
+  const double from = x_in_host.norm(), to = x_in_cam.norm();
+  if (!(to > 0.45 * from && to < 2.2 * from)) return false;
+  return (cam_from_host * x_in_host).dot(x_in_cam) > std::cos(M_PI / 4) * from * to;
+}
+
+std::optional<VisiblePoint> seen(const Keyframe& host, int index, const Pose& cam_from_host,
+                                 const Camera& camera, const Shutter& shutter = {}) {
+  const Eigen::Vector3d x_in_host = host.points[index].position();
+  const Eigen::Vector3d x_in_cam = cam_from_host * x_in_host;
+  if (x_in_cam.z() <= 0 || !is_seen_alike(x_in_host, x_in_cam, cam_from_host.R)) return std::nullopt;
+  const auto pixel = shutter.project(camera, x_in_cam);
+  if (!pixel || !camera.contains(*pixel)) return std::nullopt;
+  return VisiblePoint{{host.id, index}, *pixel, x_in_cam};
+}
+
+// Of a sample of its points.
+double share_in_view(const Keyframe& host, const Pose& cam_from_host, const Camera& camera) {
+  constexpr int kSample = 24;
+  const int size = static_cast<int>(host.points.size()), step = std::max(1, size / kSample);
+  int looked_at = 0, in_view = 0;
+  for (int i = 0; i < size; i += step)
+    ++looked_at, in_view += seen(host, i, cam_from_host, camera).has_value();
+  return looked_at >= kSample / 2 ? static_cast<double>(in_view) / looked_at : 0;
+}
+
+}  // namespace
+
+Keyframe& LocalMap::add(std::shared_ptr<const MapFrame> frame, const Pose& world_from_cam) {
+  if (static_cast<int>(keyframes_.size()) == capacity_) {
+    gone_.push_back(keyframes_.front().world_from_cam);
+    keyframes_.pop_front();
+  }
+  keyframes_.push_back({next_id_++, std::move(frame), world_from_cam, {}, {}});
+  return keyframes_.back();
+}
+
+void LocalMap::set_readout(double readout, const Camera& camera) {
+  for (Keyframe& keyframe : keyframes_) keyframe.shutter.readout = readout;
+  for (Keyframe& host : keyframes_)
+    for (MapPoint& point : host.points) {
+      const double row = row_of(camera, host.frame->pixel(point.feature).y());
+      point.ray = host.shutter.at_middle(host.frame->rays[point.feature], row);
+      for (PointView& view : point.views)
+        if (holds(view.keyframe)) view.ray = at(view.keyframe).shutter.at_middle(view.seen, view.row);
+    }
+}
+
+std::vector<int> keyframes_in_view(const LocalMap& map, const Pose& world_from_cam, const Camera& camera,
+                                   int newest, int others) {
+  constexpr double kLeastShare = 0.25;
+  const Pose cam_from_world = world_from_cam.inverse();
+  const int first_new = std::max(map.first_id(), map.newest_id() + 1 - newest);
+  std::vector<std::pair<double, int>> ranked;
+  for (int id = map.first_id(); id < first_new; ++id) {
+    const double share = share_in_view(map.at(id), cam_from_world * map.at(id).world_from_cam, camera);
+    if (share > kLeastShare) ranked.emplace_back(-share, id);
+  }
+  std::sort(ranked.begin(), ranked.end());
+  if (static_cast<int>(ranked.size()) > others) ranked.resize(others);
+  std::vector<int> ids;
+  for (const auto& [share, id] : ranked) ids.push_back(id);
+  for (int id = first_new; id <= map.newest_id(); ++id) ids.push_back(id);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+std::vector<VisiblePoint> points_in_view(const LocalMap& map, const std::vector<int>& keyframes,
+                                         const Pose& world_from_cam, const Camera& camera,
+                                         const Shutter& shutter) {
+  std::vector<VisiblePoint> points;
+  const Pose cam_from_world = world_from_cam.inverse();
+  for (const int id : keyframes) {
+    const Keyframe& host = map.at(id);
+    const Pose cam_from_host = cam_from_world * host.world_from_cam;
+    for (int i = 0; i < static_cast<int>(host.points.size()); ++i)
+      if (const auto point = seen(host, i, cam_from_host, camera, shutter)) points.push_back(*point);
+  }
+  return points;
+}
+
+}  // namespace framewise

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/odometry/map_frame.h"
+
+namespace framewise {
+
+MapFrame look_at(const Frame& frame, std::size_t index) {
+  MapFrame seen;
+  seen.index = index;
+  seen.time = frame.time;
+  seen.depth = frame.depth;
+  seen.depth_delay = frame.depth_delay;
+  if (!frame.gray.empty()) seen.levels = image_levels(frame.gray);
+  return seen;
+}
+
+void describe(MapFrame& frame, const Camera& camera, const MapOptions& options) {
+  if (frame.is_described) return;
+  frame.is_described = true;
+  if (frame.levels.empty()) return;
+  FeatureOptions feature_options;
+  feature_options.count = options.features;
+  feature_options.spread = options.spread;
+  const Features found = extract_features(frame.levels[0], feature_options);
+  frame.features.finest_size = found.finest_size;
+  std::vector<int> kept;
+  for (int i = 0; i < static_cast<int>(found.keypoints.size()); ++i) {
+    const cv::Point2f& p = found.keypoints[i].pt;
+    const auto ray = plane_ray(camera, {p.x, p.y});
+    if (!ray) continue;
+    kept.push_back(i);
+    frame.rays.push_back(*ray);
+    frame.features.keypoints.push_back(found.keypoints[i]);
+  }
+  frame.features.descriptors.create(static_cast<int>(kept.size()), found.descriptors.cols,
+                                    found.descriptors.type());
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    found.descriptors.row(kept[i]).copyTo(frame.features.descriptors.row(static_cast<int>(i)));
+}
+
+std::optional<Eigen::Vector3d> plane_ray(const Camera& camera, const Eigen::Vector2d& pixel) {
+  constexpr double kLeastZ = 0.17;  // 80 degrees off the axis
+  const auto bearing = camera.bearing(pixel);
+  if (!bearing || bearing->z() < kLeastZ) return std::nullopt;
+  return *bearing / bearing->z();
+}
+
+std::optional<double> depth_along(const MapFrame& frame, const Eigen::Vector3d& ray,
+                                  const Pose& depth_from_cam, const Camera& camera,
+                                  const DepthLookupOptions& options) {
+  if (frame.depth.empty()) return std::nullopt;
+  const Eigen::Vector3d turned = depth_from_cam.R * ray;
+  const auto pixel = camera.project(turned);
+  if (!pixel || turned.z() <= 0) return std::nullopt;
+  const auto z = depth_at(frame.depth, *pixel, options);
+  if (!z) return std::nullopt;
+  const Eigen::Vector3d in_depth_cam = turned * (*z / turned.z());
+  const double z_in_cam = (depth_from_cam.inverse() * in_depth_cam).z();
+  return z_in_cam > 0 ? std::optional(z_in_cam) : std::nullopt;
+}
+
+}  // namespace framewise

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/odometry/map_odometer.h"
+
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <exception>
+#include <memory>
+
+#include "framewise/odometry/map_tracker.h"
+
+namespace framewise {
+namespace {
+
+// A frame on its way through the stages.
+struct MapPassage {
+  std::size_t index = 0;
+  std::shared_ptr<MapFrame> frame;
+  StageSeconds seconds;
+  std::exception_ptr failure;  // kept until all earlier frames have been handed over
+};
+using MapPassagePtr = std::shared_ptr<MapPassage>;
+
+}  // namespace
+
+std::vector<Pose> run_map_odometry(const FrameSource& frames, const Camera& camera,
+                                   const OdometryOptions& options, const Clock& clock,
+                                   const std::function<void(const FrameResult&)>& sink) {
+  options.check();
+  camera.check();
+  MapTracker tracker(camera, options, frames.known);
+  std::size_t next = 0;
+
+  const auto begin = [&](tbb::flow_control& flow) -> MapPassagePtr {
+    if (next >= frames.size) return flow.stop(), nullptr;
+    auto passage = std::make_shared<MapPassage>();
+    passage->index = next++;
+    return passage;
+  };
+  const auto open = [&](MapPassagePtr passage) {
+    try {
+      const double start = clock();
+      const Frame frame = frames.load(passage->index);
+      const double loaded = clock();
+      passage->frame = std::make_shared<MapFrame>(look_at(frame, passage->index));
+      passage->seconds.load = loaded - start;
+      passage->seconds.features = clock() - loaded;
+    } catch (...) {
+      passage->failure = std::current_exception();
+    }
+    return passage;
+  };
+  const auto place = [&](MapPassagePtr passage) {
+    if (passage->failure) std::rethrow_exception(passage->failure);
+    const double start = clock(), time = passage->frame->time;
+    MapTrack track = tracker.add(std::move(passage->frame));
+    passage->seconds.step = clock() - start;
+    sink({passage->index, time, std::move(track.step), track.world_from_cam, passage->seconds});
+  };
+
+  constexpr auto kInOrder = tbb::filter_mode::serial_in_order, kSideBySide = tbb::filter_mode::parallel;
+  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : options.threads);
+  const std::size_t in_flight = 2 * static_cast<std::size_t>(arena.max_concurrency());
+  arena.execute([&] {
+    tbb::parallel_pipeline(in_flight, tbb::make_filter<void, MapPassagePtr>(kInOrder, begin) &
+                                          tbb::make_filter<MapPassagePtr, MapPassagePtr>(kSideBySide, open) &
+                                          tbb::make_filter<MapPassagePtr, void>(kInOrder, place));
+  });
+  return tracker.final_poses();
+}
+
+}  // namespace framewise

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/odometry/map_odometer.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "framewise/odometry/boxes_for_tests.h"
+
+namespace framewise {
+namespace {
+
+struct MapRun {
+  std::vector<FrameResult> causal;
+  std::vector<Pose> final_poses;
+};
+
+MapRun run(const FrameSource& source, int threads = 1, MapOptions map = {}) {
+  OdometryOptions options;
+  options.reference = "map";
+  options.threads = threads;
+  options.map = map;
+  MapRun result;
+  result.final_poses = run_map_odometry(
+      source, Boxes::camera(), options, [] { return 0.0; },
+      [&](const FrameResult& r) { result.causal.push_back(r); });
+  return result;
+}
+
+// To the side and turning, 2 cm and 0.6 degrees a frame.
+Pose sideways(std::size_t i) {
+  const double s = static_cast<double>(i);
+  return {so3_exp({0, -0.01 * s, 0.002 * s}), {0.02 * s, 0.004 * s, 0.003 * s}};
+}
+
+double position_error(const Pose& found, const Pose& expected) { return (found.t - expected.t).norm(); }
+double angle_error(const Pose& found, const Pose& expected) {
+  return rotation_angle(found.R.transpose() * expected.R);
+}
+
+TEST(RunMapOdometry, FollowsAKnownMotionInMetres) {
+  const Boxes boxes;
+  const auto result = run(boxes.source(20, sideways));
+  ASSERT_EQ(result.causal.size(), 20u);
+  ASSERT_EQ(result.final_poses.size(), 20u);
+  for (std::size_t i = 0; i < 20; ++i) {
+    EXPECT_EQ(result.causal[i].index, i);
+    EXPECT_EQ(result.causal[i].step.status, Status::kOk) << i;
+    EXPECT_LT(position_error(result.causal[i].world_from_cam, sideways(i)), 0.003) << i;
+    EXPECT_LT(angle_error(result.causal[i].world_from_cam, sideways(i)), 0.002) << i;
+    EXPECT_LT(position_error(result.final_poses[i], sideways(i)), 0.003) << i;
+  }
+}
+
+TEST(RunMapOdometry, IsTheSameAtAnyThreadCount) {
+  const Boxes boxes;
+  const auto expected = run(boxes.source(14, sideways), 1);
+  for (const int threads : {2, 5}) {
+    const auto found = run(boxes.source(14, sideways), threads);
+    ASSERT_EQ(found.causal.size(), expected.causal.size());
+    for (std::size_t i = 0; i < found.causal.size(); ++i) {
+      EXPECT_EQ(found.causal[i].world_from_cam.matrix(), expected.causal[i].world_from_cam.matrix()) << i;
+      EXPECT_EQ(found.final_poses[i].matrix(), expected.final_poses[i].matrix()) << i;
+    }
+  }
+}
+
+TEST(RunMapOdometry, AStandingCameraStands) {
+  const Boxes boxes;
+  const auto result = run(boxes.source(12, [](std::size_t) { return sideways(3); }));
+  for (const FrameResult& frame : result.causal) {
+    EXPECT_LT(frame.world_from_cam.t.norm(), 1e-4);
+    EXPECT_LT(rotation_angle(frame.world_from_cam.R), 1e-4);
+  }
+}
+
+// Frames 8 to 10 show nothing.
+FrameSource covered(const Boxes& boxes) {
+  FrameSource source = boxes.source(18, sideways);
+  source.load = [load = source.load](std::size_t i) {
+    Frame frame = load(i);
+    if (i >= 8 && i <= 10) frame.gray = cv::Scalar(70), frame.depth = std::numeric_limits<float>::quiet_NaN();
+    return frame;
+  };
+  return source;
+}
+
+TEST(RunMapOdometry, ForetellsWhatACoveredLensHidesAndFindsItselfAgain) {
+  const Boxes boxes;
+  const auto result = run(covered(boxes));
+  for (std::size_t i = 0; i < 18; ++i) {
+    const bool hidden = i >= 8 && i <= 10;
+    EXPECT_EQ(result.causal[i].step.status, hidden ? Status::kPredicted : Status::kOk) << i;
+    if (!hidden) {
+      EXPECT_LT(position_error(result.causal[i].world_from_cam, sideways(i)), 0.004) << i;
+    }
+  }
+}
+
+TEST(RunMapOdometry, GoesOnWithoutDepthOnceItHasAMap) {
+  const Boxes boxes;
+  FrameSource source = boxes.source(14, sideways);
+  source.load = [load = source.load](std::size_t i) {
+    Frame frame = load(i);
+    if (i >= 5 && i <= 9) frame.depth.release();
+    return frame;
+  };
+  const auto result = run(source);
+  for (std::size_t i = 0; i < 14; ++i)
+    EXPECT_LT(position_error(result.causal[i].world_from_cam, sideways(i)), 0.006) << i;
+}
+
+TEST(RunMapOdometry, HandsOverWhatCameBeforeAFailure) {
+  const Boxes boxes;
+  FrameSource source = boxes.source(9, sideways);
+  source.load = [load = source.load](std::size_t i) {
+    if (i == 6) throw std::runtime_error("frame 6 is broken");
+    return load(i);
+  };
+  std::vector<std::size_t> seen;
+  OdometryOptions options;
+  options.reference = "map";
+  EXPECT_THROW(run_map_odometry(
+                   source, Boxes::camera(), options, [] { return 0.0; },
+                   [&](const FrameResult& r) { seen.push_back(r.index); }),
+               std::runtime_error);
+  EXPECT_EQ(seen.size(), 6u);
+}
+
+TEST(RunMapOdometry, NoFramesAndEmptyFramesAreNoCrash) {
+  const Boxes boxes;
+  EXPECT_TRUE(run(boxes.source(0, sideways)).causal.empty());
+  FrameSource nothing{4,
+                      [](std::size_t i) {
+                        Frame frame;
+                        frame.time = static_cast<double>(i);
+                        return frame;
+                      },
+                      {}};
+  const auto result = run(nothing);
+  ASSERT_EQ(result.causal.size(), 4u);
+  for (const FrameResult& frame : result.causal) EXPECT_TRUE(frame.world_from_cam.matrix().allFinite());
+}
+
+// Without depth, the first two views' baseline is the unit of length.
+TEST(RunMapOdometry, WithoutDepthFollowsUpToOneScale) {
+  const Boxes boxes;
+  FrameSource source = boxes.source(24, sideways);
+  source.load = [load = source.load](std::size_t i) {
+    Frame frame = load(i);
+    frame.depth.release();
+    return frame;
+  };
+  const auto result = run(source);
+  const double scale = sideways(23).t.norm() / result.causal[23].world_from_cam.t.norm();
+  for (std::size_t i = 0; i < 24; ++i) {
+    if (result.causal[i].step.status != Status::kOk) continue;
+    EXPECT_LT((scale * result.causal[i].world_from_cam.t - sideways(i).t).norm(), 0.02) << i;
+    EXPECT_LT(angle_error(result.causal[i].world_from_cam, sideways(i)), 0.01) << i;
+  }
+  EXPECT_EQ(result.causal[23].step.status, Status::kOk);
+}
+
+}  // namespace
+}  // namespace framewise

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "framewise/odometry/local_map.h"
+#include "framewise/odometry/map_matching.h"
+#include "framewise/odometry/map_pose.h"
+#include "framewise/odometry/motion_filter.h"
+#include "framewise/odometry/odometer.h"
+#include "framewise/odometry/step.h"
+#include "framewise/odometry/two_view_start.h"
+
+namespace framewise {
+
+// A frame's place in the map.
+struct MapTrack {
+  Step step;  // from the frame before
+  Pose world_from_cam;
+};
+
+// The default odometer's serial part: frames come in their order, and each is placed against the keyframes
+// and points of the ones before.
+class MapTracker {
+ public:
+  // known: for scale "truth", of a camera without depth.
+  MapTracker(const Camera& camera, const OdometryOptions& options, PriorKnowledge known = {});
+
+  MapTrack add(std::shared_ptr<MapFrame> frame);
+
+  // world_from_cam of all frames as the keyframes ended: what the frames after them taught is in it.
+  std::vector<Pose> final_poses() const;
+
+ private:
+  // A pose measured against the map, in the axes of the frame before.
+  struct Placed {
+    MapPose pose;
+    std::vector<TrackedPoint> points;
+    std::vector<MapMatch> matches;
+    Shutter shutter;
+    int sought = 0, matched = 0, iterations = 0;
+  };
+
+  MapTrack start(std::shared_ptr<MapFrame> frame);
+  MapTrack start_without_depth(std::shared_ptr<MapFrame> frame);
+  void build_from_two_views(std::shared_ptr<MapFrame> frame, TwoViewStart& two_views);
+  double first_length(const MapFrame& frame1, const MapFrame& frame2) const;
+  MapTrack measured(std::shared_ptr<MapFrame> frame, const Placed& placed);
+  MapTrack missed(std::shared_ptr<MapFrame> frame);
+
+  std::optional<Placed> place(MapFrame& frame, const Pose& predicted) const;
+  bool is_credible(const Placed& placed) const;
+  std::optional<FirstPose> find_first_pose(const MapFrame& frame, const Pose& predicted,
+                                           const std::vector<int>& keyframes, int& matched) const;
+  Placed refine(const MapFrame& frame, const Pose& cam_from_before, const std::vector<int>& keyframes,
+                int coarser, int max_points) const;
+  MapMatch match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, double sigma_px,
+                    const Shutter& shutter) const;
+  Shutter shutter_of(const Pose& cam_from_before, double time) const;
+  void become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam, const Placed* placed);
+  void add_points(Keyframe& keyframe, const std::vector<TrackedPoint>& taken);
+  void grow();
+  void adjust();
+  void fuse_depth(const Placed& placed);
+  void remember(const MapFrame& frame, const Pose& world_from_cam);
+
+  Camera camera_;
+  OdometryOptions options_;
+  PriorKnowledge known_;
+  LocalMap map_;
+  MotionFilter motion_;
+  Pose world_from_before_;  // the frame before
+  double time_before_ = 0, time_measured_ = 0;
+  Matrix6d covariance_before_ = Matrix6d::Zero();  // in its own axes
+  int points_at_keyframe_ = 0;
+  ReadoutEstimate readout_;
+  Shutter shutter_;  // of the newest frame
+  // Of the frames before: when, and how they were turned.
+  std::deque<std::pair<double, Eigen::Matrix3d>> turned_;
+  bool has_points_ = false;  // the map has a length and can be tracked against
+
+  // Of every frame: the keyframe it is told by.
+  struct Anchored {
+    int keyframe;
+    Pose keyframe_from_cam;
+  };
+  std::vector<Anchored> trajectory_;
+};
+
+}  // namespace framewise

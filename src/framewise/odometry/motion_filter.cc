@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/odometry/motion_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framewise/geometry/so3.h"
+
+namespace framewise {
+
+void MotionFilter::start(double time, const Pose& world_from_cam) {
+  time_ = time;
+  world_from_cam_ = world_from_cam;
+  rotation_ = {}, position_ = {};
+  updates_ = 0;
+}
+
+Pose MotionFilter::predict(double time) const {
+  const double dt = time - time_;
+  return {world_from_cam_.R * so3_exp(rotation_.velocity * dt), world_from_cam_.t + position_.velocity * dt};
+}
+
+Pose MotionFilter::motion_during(double delay) const {
+  const Pose world_from_later = {world_from_cam_.R * so3_exp(rotation_.velocity * delay),
+                                 world_from_cam_.t + position_.velocity * delay};
+  return world_from_later.inverse() * world_from_cam_;
+}
+
+Eigen::Vector3d MotionFilter::Axes::update(const Eigen::Vector3d& e, double noise, double dt, bool shrinks) {
+  constexpr double kMemory = 0.1;     // of the newest innovation in their mean
+  constexpr double kLeastGain = 0.1;  // however still the camera stood, it may begin to move
+  const double square = e.squaredNorm() / 3;
+  innovation = innovation < 0 ? square : (1 - kMemory) * innovation + kMemory * square;
+  // A sudden start is not held back by how still it was before.
+  constexpr double kSudden = 6;  // times the mean square: noise is seldom so large
+  const double expected = square > kSudden * innovation ? square : innovation;
+  const double alpha = shrinks && expected > 0 ? std::clamp(1 - noise / expected, kLeastGain, 1.0) : 1;
+  const double beta = 2 * (2 - alpha) - 4 * std::sqrt(1 - alpha);
+  velocity += std::min(1.0, beta) * e / dt;
+  return alpha * e;
+}
+
+Pose MotionFilter::update(double time, const Pose& measured, const Matrix6d& covariance) {
+  const double dt = std::max(1e-6, time - time_);
+  const Pose predicted = predict(time);
+  const double rotation_noise = covariance.topLeftCorner<3, 3>().trace() / 3;
+  const double position_noise = covariance.bottomRightCorner<3, 3>().trace() / 3;
+  const bool shrinks = shrinks_ && updates_++ > 2 && std::isfinite(rotation_noise + position_noise);
+  const Eigen::Vector3d turned =
+      rotation_.update(so3_log(predicted.R.transpose() * measured.R), rotation_noise, dt, shrinks);
+  const Eigen::Vector3d moved = position_.update(measured.t - predicted.t, position_noise, dt, shrinks);
+  time_ = time;
+  world_from_cam_ = shrinks ? Pose{predicted.R * so3_exp(turned), predicted.t + moved} : measured;
+  world_from_cam_.R = nearest_rotation(world_from_cam_.R);  // of thousands of products
+  return world_from_cam_;
+}
+
+void MotionFilter::coast(double time) {
+  constexpr double kHalfLife = 0.2;  // s: a hand that moves the camera changes its mind about as fast
+  world_from_cam_ = predict(time);
+  const double kept = std::exp2(-std::max(0.0, time - time_) / kHalfLife);
+  rotation_.velocity *= kept, position_.velocity *= kept;
+  time_ = time;
+}
+
+void MotionFilter::correct(const Pose& new_from_old) {
+  world_from_cam_ = new_from_old * world_from_cam_;
+  world_from_cam_.R = nearest_rotation(world_from_cam_.R);
+  position_.velocity = new_from_old.R * position_.velocity;
+}
+
+}  // namespace framewise

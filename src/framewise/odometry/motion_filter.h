@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "framewise/geometry/pose.h"
+
+namespace framewise {
+
+// How a camera goes on: it keeps turning about its own axes and moving through the world as it did, and how
+// far it departs from that is learned from how far it did. What a measured pose says is taken as far as it is
+// more certain than that: where the step is below what the data can tell, the camera goes on as before, and
+// one that stands, stands.
+//   The alpha-beta filter: Kalata, The tracking index, IEEE T-AES 1984; with the size of the manoeuvres from
+//   the innovations, S = E[e^2] = R / (1 - alpha): Mehra, Approaches to adaptive filtering, IEEE T-AC 1972.
+class MotionFilter {
+ public:
+  explicit MotionFilter(bool shrinks) : shrinks_(shrinks) {}
+
+  // Begins at a pose, standing.
+  void start(double time, const Pose& world_from_cam);
+
+  // Where the camera is expected at a time (s).
+  Pose predict(double time) const;
+
+  // Takes a measured pose in and gives the pose that is believed. covariance: of world_from_cam, rotation in
+  // the camera's axes and position in the world's. Without shrinking this is the measured pose.
+  Pose update(double time, const Pose& world_from_cam, const Matrix6d& covariance);
+
+  // No pose was measured: the camera goes on as it did, and slower and slower.
+  void coast(double time);
+
+  // Poses of the map have moved: of the newest pose, from what was believed to what is believed now.
+  void correct(const Pose& new_from_old);
+
+  // cam2_from_cam1 of a camera that is now and was or will be `delay` seconds later.
+  Pose motion_during(double delay) const;
+
+ private:
+  // Rotation or position: three numbers with one noise.
+  struct Axes {
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+    double innovation = -1;  // its mean square (per axis); negative: none yet
+    Eigen::Vector3d update(const Eigen::Vector3d& e, double noise, double dt, bool shrinks);
+  };
+
+  bool shrinks_;
+  double time_ = 0;
+  Pose world_from_cam_;
+  Axes rotation_, position_;
+  int updates_ = 0;
+};
+
+}  // namespace framewise

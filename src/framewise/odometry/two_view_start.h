@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "framewise/odometry/map_growth.h"
+
+namespace framewise {
+
+struct TwoViewOptions {
+  double max_error_px = 1.5;  // Sampson's, of a pair that agrees
+  int min_pairs = 40;         // fewer agree by chance, or see too little of the image
+  int min_points = 40;        // triangulated, for a map to begin with
+  // Median angle between the rays of a point (deg): a smaller one tells the camera's turn from its motion too
+  // badly to build on.
+  double min_parallax_deg = 0.4;
+  RansacOptions ransac;
+};
+
+// How two cameras without depth stand to each other.
+struct TwoViewStart {
+  enum class Kind {
+    kUnrelated,    // they see too little in common
+    kTurned,       // or moved too little: the rotation is known
+    kTriangulated  // the motion is known up to its length, which is 1, and points in camera 1
+  };
+  Kind kind = Kind::kUnrelated;
+  Pose cam2_from_cam1;
+  int pairs = 0, inliers = 0, iterations = 0;
+  std::vector<MapPoint> points;      // hosted by camera 1,
+  std::vector<FeaturePair> seen_by;  // and where camera 2 has each
+};
+
+// The first two views of a map.
+//   Nistér, An efficient solution to the five-point relative pose problem, PAMI 2004.
+TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2, const Camera& camera,
+                                  const TwoViewOptions& options);
+
+}  // namespace framewise
