@@ -42,9 +42,9 @@ rows:
   - solver: kabsch
     input: {depth as it is: depth-raw, flexion as published: flexion-published, depth: depth, flexion: flexion, normal: normal}
 features:
-  - {name: SIFT, detector: sift, descriptor: sift}
-  - {name: AKAZE, detector: akaze, descriptor: akaze}
-  - {name: ORB, detector: orb, descriptor: orb}
+  - {name: SIFT, detector: sift, descriptor: sift, matcher: brute-force}
+  - {name: AKAZE, detector: akaze, descriptor: akaze, matcher: brute-force}
+  - {name: ORB, detector: orb, descriptor: orb, matcher: brute-force}
 )";
 
 }  // namespace

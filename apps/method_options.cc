@@ -38,6 +38,7 @@ std::vector<std::string> method_options_chosen(const CLI::App& app) {
 }
 
 nlohmann::ordered_json options_json(OdometryOptions options) {
+  options.matcher = options.matcher_for(options.input);
   nlohmann::ordered_json json;
   const auto add = [&](const char* name, const auto& field, const char*) { json[name] = field; };
   visit_solver_options(options, add);
@@ -52,6 +53,7 @@ nlohmann::ordered_json map_options_json(OdometryOptions options) {
 }
 
 std::map<std::string, std::string> correspondence_option_texts(OdometryOptions options) {
+  options.matcher = options.matcher_for(options.input);
   std::map<std::string, std::string> texts;
   visit_correspondence_options(options, [&](const char* name, const auto& field, const char*) {
     texts[name] = fmt::format("{}", field);

@@ -27,7 +27,8 @@ void visit_correspondence_options(OdometryOptions& o, Visit&& visit) {
   visit("spread", o.features.spread, "features over the image: none (the strongest), grid or anms");
   visit("upright", o.features.upright, "descriptors are not turned into the feature's direction");
   visit("matcher", o.matcher,
-        "brute-force (exact), flann (approximate), windowed (exact near the same pixel) or klt (tracked)");
+        "brute-force (exact), flann (approximate), windowed (exact near the same pixel) or klt (tracked);\n"
+        "auto: windowed where the input is made of depth, else brute-force");
   visit("cross-check", o.match.cross_check, "both features must choose each other");
   visit("ratio", o.match.max_ratio, "nearest to second nearest distance must be below; 1: any");
   visit("window-px", o.match.window_px, "windowed: how far a feature may have moved");
@@ -98,10 +99,12 @@ void add_map_options(CLI::App& app, OdometryOptions& options);
 // The options that were chosen of those that say how two frames are related: then no map is asked for.
 std::vector<std::string> method_options_chosen(const CLI::App& app);
 
+// The matcher by the name that auto stands for.
 nlohmann::ordered_json options_json(OdometryOptions options);
 nlohmann::ordered_json map_options_json(OdometryOptions options);
 
-// The options that shape correspondences, as text: what an archive keeps of them.
+// The options that shape correspondences, as text: what an archive keeps of them, the
+// matcher likewise.
 std::map<std::string, std::string> correspondence_option_texts(OdometryOptions options);
 
 }  // namespace framewise::apps

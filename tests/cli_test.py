@@ -469,6 +469,73 @@ class BadInput(Recording):
         self.refuses(self.run_data(), "out")
 
 
+class BadDepth(Recording):
+    """Odometry from depth alone where depth is none: a status or an error, never a motion that nobody saw."""
+
+    FRAMES = 6
+    SIZE = ("--width", 320, "--height", 240)
+
+    def write_depth(self, value, bits=16, frames=slice(None), size=(320, 240)):
+        for _, file in self.listed("depth.txt")[frames]:
+            write_png(self.data / file, *size, bits, value)
+
+    def run_dark(self, *options):
+        return self.run_data("--input", "normal", *options)
+
+    def statuses(self):
+        with (self.out / "frames.csv").open(newline="") as file:
+            return [row["status"] for row in csv.DictReader(file)]
+
+    def stays(self):
+        """No line of the trajectory says a motion, or what is no number."""
+        for line in (self.out / "trajectory.tum").read_text().splitlines():
+            if not line.startswith("#"):
+                self.assertLess(math.hypot(*map(float, line.split()[1:4])), 1e-3, line)
+
+    def test_all_of_it_unknown(self):
+        self.write_depth(0)
+        for geometry in ("auto", "frame", "none"):
+            result = self.run_dark("--geometry", geometry)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertIn("no motion could be measured", result.stderr)
+            self.assertEqual(set(self.statuses()[1:]), {"no-depth"}, geometry)
+            self.stays()
+
+    def test_all_of_it_saturated(self):
+        self.write_depth(65535)
+        camera = (self.data / "camera.yaml").read_text()
+        without_maximum = "\n".join(l for l in camera.splitlines() if not l.startswith("depth_max")) + "\n"
+        for calibration in (camera, without_maximum):
+            (self.data / "camera.yaml").write_text(calibration)
+            result = self.run_dark()
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertEqual(set(self.statuses()[1:]), {"no-depth"})
+            self.stays()
+
+    def test_some_frames_unknown(self):
+        self.write_depth(0, frames=slice(2, 4))
+        result = self.run_dark()
+        self.assertEqual(result.returncode, 0, result.stderr)
+        statuses = self.statuses()
+        self.assertEqual(statuses[2:4], ["no-depth"] * 2)
+        self.assertEqual((statuses[1], statuses[5]), ("ok", "ok"))
+
+    def test_alternating_sizes(self):
+        self.write_depth(5000, frames=slice(1, None, 2), size=(160, 120))
+        for image in ("normal", "depth-raw", "auto"):
+            self.refuses(self.run_data("--input", image), "160 x 120", "320 x 240")
+
+    def test_8_bits(self):
+        self.write_depth(100, bits=8)
+        self.refuses(self.run_dark(), "8 bits", "16-bit")
+
+    def test_one_wall_everywhere_frees_directions_and_invents_none(self):
+        self.write_depth(10000)
+        self.assertIn(self.run_dark().returncode, (0, 1))
+        self.assertNotIn("ok", self.statuses()[1:])
+        self.stays()
+
+
 class Archive(Recording):
     def trajectory(self):
         return (self.out / "trajectory.tum").read_bytes()

@@ -37,20 +37,21 @@ std::vector<Partner> track(const Observation& frame1, const Observation& frame2,
 }
 
 std::vector<FeatureMatch> match(const Features& features1, const Features& features2,
-                                const OdometryOptions& options) {
+                                const std::string& matcher, const OdometryOptions& options) {
   MatchOptions chosen = options.match;
   chosen.seed = options.seed;
-  if (options.matcher == "windowed")
+  if (matcher == "windowed")
     return match_windowed(features1.descriptors, pixels_of(features1), features2.descriptors,
                           pixels_of(features2), chosen);
-  chosen.matcher = options.matcher;
+  chosen.matcher = matcher;
   return match_features(features1.descriptors, features2.descriptors, chosen);
 }
 
 // Detected positions are moved to fractions of a pixel.
 std::vector<Partner> match(const Observation& frame1, const Observation& frame2,
                            const OdometryOptions& options) {
-  const std::vector<FeatureMatch> matches = match(frame1.features, frame2.features, options);
+  const std::vector<FeatureMatch> matches =
+      match(frame1.features, frame2.features, options.matcher_for(frame1.input), options);
   std::vector<cv::Point2f> pixels1, pixels2;
   for (const FeatureMatch& match : matches) {
     pixels1.push_back(frame1.features.keypoints[match.index1].pt);

@@ -104,7 +104,10 @@ Step GeometricRefinement::refine(double time, std::shared_ptr<const SurfacePyram
   Step step = from_features;
   const bool sees = shows_enough(*surface);
   if (!reference_) {
-    if (sees) refer_to(time, std::move(surface), Pose(), 1);
+    if (sees)
+      refer_to(time, std::move(surface), Pose(), 1);
+    else if (!is_measured(step.status))
+      step.status = Status::kNoDepth;
     return step;
   }
   std::optional<Pose> by_features;

@@ -21,7 +21,7 @@ constexpr const char* kNames[] = {"color",   "depth-raw", "depth", "flexion-publ
 constexpr FlexionOptions kSmoothFlexion{FlexionForm::kPublished, 6, 5.0, false};
 
 // Features want corners well above the noise of 4 x 4 pixels, at which the finest of them are found.
-constexpr double kLeastContrastToNoise = 6;
+constexpr double kLeastContrastToNoise = 4.5;
 
 ReliefOptions smooth_relief() {
   ReliefOptions options;

@@ -3,8 +3,20 @@
 #include "framewise/odometry/observation.h"
 
 #include <limits>
+#include <opencv2/core.hpp>
 
 namespace framewise {
+namespace {
+
+// Whether any pixel has a depth that the options use.
+bool knows_depth(const cv::Mat& depth, const DepthLookupOptions& options) {
+  if (depth.empty()) return false;
+  cv::Mat known;
+  cv::inRange(depth, options.min_depth, options.max_depth, known);
+  return cv::countNonZero(known) > 0;
+}
+
+}  // namespace
 
 std::optional<Sighting> sight(const cv::Mat& depth, const cv::Point2f& point, const Camera& camera,
                               const DepthLookupOptions& options) {
@@ -23,7 +35,7 @@ Observation observe(const Frame& frame, const InputImage& input, const Camera& c
   observation.time = frame.time;
   observation.input = input.chosen(frame);
   observation.gray = input.of(frame);
-  observation.depth = frame.depth;
+  if (knows_depth(frame.depth, options.depth)) observation.depth = frame.depth;
   if (observation.gray.empty()) return observation;
   FeatureOptions feature_options = options.features;
   feature_options.describe = !options.tracks();

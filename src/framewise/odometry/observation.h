@@ -30,7 +30,7 @@ struct Observation {
   Features features;
   std::vector<Sighting> sightings;  // features that the lens model cannot explain are left out
   cv::Mat gray;                     // that the features were found in
-  cv::Mat depth;                    // as in Frame; may be empty
+  cv::Mat depth;                    // as in Frame; empty where no pixel has a depth that is used
   TrackedImage scales;              // of gray; only where features are tracked (matcher klt)
 };
 

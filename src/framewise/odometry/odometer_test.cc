@@ -65,6 +65,16 @@ TEST(RunOdometry, MeasuresAKnownMotionInMetres) {
   }
 }
 
+TEST(OdometryOptions, TheMatcherFollowsTheImageUnlessItIsNamed) {
+  OdometryOptions options;
+  for (const char* made_of_depth : {"depth", "depth-raw", "flexion", "flexion-published", "normal"})
+    EXPECT_EQ(options.matcher_for(made_of_depth), "windowed") << made_of_depth;
+  EXPECT_EQ(options.matcher_for("color"), "brute-force");
+  EXPECT_EQ(options.matcher_for("auto"), "auto");  // one frame this, one frame that
+  options.matcher = "flann";
+  EXPECT_EQ(options.matcher_for("normal"), "flann");
+}
+
 TEST(RunOdometry, IsTheSameAtAnyThreadCount) {
   const Wall wall;
   OdometryOptions options;

@@ -61,6 +61,11 @@ bool OdometryOptions::uses_surface_model() const {
 
 bool OdometryOptions::uses_surfaces() const { return geometry == "frame" || uses_surface_model(); }
 
+std::string OdometryOptions::matcher_for(const std::string& input_name) const {
+  if (matcher != "auto" || input_name == "auto") return matcher;
+  return is_made_of_depth(input_name) ? "windowed" : "brute-force";
+}
+
 void OdometryOptions::check_method() const {
   std::vector<const char*> solvers{"kabsch", "p3p"};
   for (const auto& [name, relative_pose_solver] : kBearingSolvers) solvers.push_back(name);
@@ -100,7 +105,7 @@ void OdometryOptions::check() const {
   InputImage::check(input);
   require(keypoint_sigma_px > 0, "keypoint-sigma-px", keypoint_sigma_px, "more than 0");
   depth_noise.check();
-  require_one_of("matcher", matcher, {"brute-force", "flann", "windowed", "klt"});
+  require_one_of("matcher", matcher, {"auto", "brute-force", "flann", "windowed", "klt"});
   require_one_of("subpixel", subpixel, {"align", "none"});
   require(max_error_m > 0, "max-error-m", max_error_m, "more than 0");
   require(max_error_px > 0, "max-error-px", max_error_px, "more than 0");

@@ -40,8 +40,9 @@ struct OdometryOptions {
   std::string geometry = "auto";
   FeatureOptions features;
   // brute-force: exact nearest descriptors; flann: approximate ones; windowed: exact among features within
-  // match.window_px of the same pixel; klt: the first frame's features are tracked, nothing is described.
-  std::string matcher = "brute-force";
+  // match.window_px of the same pixel; klt: the first frame's features are tracked, nothing is described;
+  // auto: windowed in images made of depth, which repeat themselves, brute-force in colour.
+  std::string matcher = "auto";
   MatchOptions match;              // cross-check, ratio test, window; its matcher is chosen by the name above
   TrackOptions track;              // of klt
   std::string subpixel = "align";  // positions in the second image by aligning patches; or none
@@ -66,6 +67,9 @@ struct OdometryOptions {
 
   bool uses_surfaces() const;
   bool uses_surface_model() const;
+  // The matcher for features found in an image of that name; still auto where that is auto itself, frame by
+  // frame.
+  std::string matcher_for(const std::string& input_name) const;
   bool tracks() const { return matcher == "klt"; }
   bool is_metric() const { return solver == "kabsch" || solver == "p3p"; }
   bool needs_rotation() const { return solver == "two-point"; }
