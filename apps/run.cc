@@ -160,7 +160,9 @@ std::vector<Pose> run_map(const RunCommand& command, const Recording& recording,
                              return frame;
                            },
                            knowledge(command, recording)};
-  return run_map_odometry(source, recording.from.calibration.camera, command.odometry, clock, sink);
+  OdometryTaps taps;
+  taps.pair = [&](std::size_t, std::size_t j, const Correspondences& seen) { caught.pairs.see(j, seen); };
+  return run_map_odometry(source, recording.from.calibration.camera, command.odometry, clock, sink, taps);
 }
 
 void run_images(const RunCommand& command, const Recording& recording, const Clock& clock,

@@ -574,7 +574,7 @@ class Archive(Recording):
         self.assertEqual(len(made), 1)
 
     def test_writing_it_changes_no_trajectory(self):
-        self.run_data()
+        self.run_data("--reference", "frame")
         without = self.trajectory()
         self.make_archive()
         self.assertEqual(self.trajectory(), without)

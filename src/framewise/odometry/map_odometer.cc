@@ -26,7 +26,8 @@ using MapPassagePtr = std::shared_ptr<MapPassage>;
 
 std::vector<Pose> run_map_odometry(const FrameSource& frames, const Camera& camera,
                                    const OdometryOptions& options, const Clock& clock,
-                                   const std::function<void(const FrameResult&)>& sink) {
+                                   const std::function<void(const FrameResult&)>& sink,
+                                   const OdometryTaps& taps) {
   options.check();
   camera.check();
   MapTracker tracker(camera, options, frames.known);
@@ -56,6 +57,7 @@ std::vector<Pose> run_map_odometry(const FrameSource& frames, const Camera& came
     const double start = clock(), time = passage->frame->time;
     MapTrack track = tracker.add(std::move(passage->frame));
     passage->seconds.step = clock() - start;
+    if (taps.pair && passage->index > 0) taps.pair(passage->index - 1, passage->index, track.seen);
     sink({passage->index, time, std::move(track.step), track.world_from_cam, passage->seconds});
   };
 

@@ -21,6 +21,7 @@ namespace framewise {
 struct MapTrack {
   Step step;  // from the frame before
   Pose world_from_cam;
+  Correspondences seen;  // map points: where the frame before would see them and where this one does
 };
 
 // The default odometer's serial part: frames come in their order, and each is placed against the keyframes
@@ -45,6 +46,7 @@ class MapTracker {
     int sought = 0, matched = 0, iterations = 0;
   };
 
+  Correspondences seen_from_before(const Placed& placed) const;
   MapTrack start(std::shared_ptr<MapFrame> frame);
   MapTrack start_without_depth(std::shared_ptr<MapFrame> frame);
   void build_from_two_views(std::shared_ptr<MapFrame> frame, TwoViewStart& two_views);
