@@ -149,17 +149,21 @@ OdometryTaps export_taps(const RunCommand& command, const Dataset& images) {
   return taps;
 }
 
+// The recording's images; those that the report shows are caught as they are loaded.
+FrameSource frame_source(const RunCommand& command, const Recording& recording, Catch& caught) {
+  return {recording.size(),
+          [&](std::size_t i) {
+            const Frame frame = load_frame(*recording.images, i);
+            if (caught.keeper) caught.keeper->see_image(i, frame);
+            return frame;
+          },
+          knowledge(command, recording)};
+}
+
 // Returns the poses as they are known in the end.
 std::vector<Pose> run_map(const RunCommand& command, const Recording& recording, const Clock& clock,
                           const FrameSink& sink, Catch& caught) {
-  const Dataset& images = *recording.images;
-  const FrameSource source{recording.size(),
-                           [&](std::size_t i) {
-                             const Frame frame = load_frame(images, i);
-                             if (caught.keeper) caught.keeper->see_image(i, frame);
-                             return frame;
-                           },
-                           knowledge(command, recording)};
+  const FrameSource source = frame_source(command, recording, caught);
   OdometryTaps taps;
   taps.pair = [&](std::size_t, std::size_t j, const Correspondences& seen) { caught.pairs.see(j, seen); };
   return run_map_odometry(source, recording.from.calibration.camera, command.odometry, clock, sink, taps);
@@ -167,15 +171,8 @@ std::vector<Pose> run_map(const RunCommand& command, const Recording& recording,
 
 void run_images(const RunCommand& command, const Recording& recording, const Clock& clock,
                 const FrameSink& sink, Catch& caught) {
-  const Dataset& images = *recording.images;
-  const FrameSource source{recording.size(),
-                           [&](std::size_t i) {
-                             const Frame frame = load_frame(images, i);
-                             if (caught.keeper) caught.keeper->see_image(i, frame);
-                             return frame;
-                           },
-                           knowledge(command, recording)};
-  OdometryTaps taps = export_taps(command, images);
+  const FrameSource source = frame_source(command, recording, caught);
+  OdometryTaps taps = export_taps(command, *recording.images);
   const auto run_into = [&](const FrameSink& into) {
     run_odometry(source, recording.from.calibration.camera, command.odometry, clock, into, taps);
   };

@@ -96,7 +96,7 @@ MapTrack MapTracker::start_without_depth(std::shared_ptr<MapFrame> frame) {
   motion_.start(frame->time, track.world_from_cam);
   time_before_ = time_measured_ = frame->time;
   const bool sees_little = two_views.inliers < options.min_pairs;
-  if (!has_points_ && (sees_little)) become_keyframe(frame, track.world_from_cam, nullptr);
+  if (!has_points_ && sees_little) become_keyframe(frame, track.world_from_cam, nullptr);
   remember(*frame, track.world_from_cam);
   return track;
 }
@@ -262,15 +262,13 @@ MapTracker::Placed MapTracker::refine(const MapFrame& frame, const Pose& cam_fro
 
 Correspondences MapTracker::seen_from_before(const Placed& placed) const {
   Correspondences seen;
-  seen.has_depth = true;
   for (std::size_t i = 0; i < placed.points.size(); ++i) {
     const MapMatch& match = placed.matches[i];
-    const Eigen::Vector3d in_front = match.X.z() > 0 ? match.X : Eigen::Vector3d(0, 0, 1);
-    seen.pixels1.push_back(camera_.project(in_front).value_or(placed.points[i].pixel));
+    seen.pixels1.push_back(camera_.project(match.X).value_or(placed.points[i].pixel));
     seen.pixels2.push_back(placed.points[i].pixel);
-    seen.x1.push_back(in_front.normalized());
+    seen.x1.push_back(match.X.normalized());
     seen.x2.push_back(match.ray.normalized());
-    seen.z1.push_back(in_front.z());
+    seen.z1.push_back(match.X.z());
     seen.z2.push_back(match.z);
     seen.sigma1.push_back(match.sigma);
     seen.sigma2.push_back(match.sigma);
@@ -291,6 +289,7 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   track.step.iterations = placed.iterations;
   track.step.inlier_mask.assign(placed.pose.inliers.begin(), placed.pose.inliers.end());
   track.seen = seen_from_before(placed);
+  track.seen.has_depth = !frame->depth.empty();
   const Pose world_from_earlier = world_from_before_;
   const Matrix6d own = in_own_axes(placed.pose.own_covariance, cam_from_before);
   track.step.covariance = step_covariance(placed.pose.own_covariance, covariance_before_, cam_from_before);

@@ -134,32 +134,44 @@ double exact_z(const View& view, int u, int v, std::uint32_t triangle) {
   return ray.z() * view.tracer.exact_t(triangle, world_from_cam.t, world_from_cam.R * ray);
 }
 
-// First pass: one ray through the centre of each pixel gives depth and a colour. Rays go in packets of 4 x 2
-// pixels.
-void trace_centres(const View& view, int u0, int v0, Centres& centres) {
-  cv::Mat& color = centres.color;
-  Rays8 rays;
+// What one ray in each of 4 x 2 pixels meets; pixels outside the image meet nothing.
+struct PacketHits {
   std::array<Vector3f, 8> rays_in_cam, directions;
+  Hits8 hits;
+};
+
+PacketHits meet(const View& view, int u0, int v0) {
+  const Camera& camera = view.options.camera;
+  PacketHits packet;
+  Rays8 rays;
   for (int i = 0; i < 8; ++i) {
     const int u = u0 + i % 4, v = v0 + i / 4;
-    if (u < color.cols && v < color.rows) {
-      rays_in_cam[i] = view.ray_in_cam(u, v, view.offset);
-      directions[i] = view.rows[v].turn * rays_in_cam[i];
-      rays.set(i, view.rows[v].origin, directions[i], 1e-3f, 1e4f);
+    if (u < camera.width && v < camera.height) {
+      packet.rays_in_cam[i] = view.ray_in_cam(u, v, view.offset);
+      packet.directions[i] = view.rows[v].turn * packet.rays_in_cam[i];
+      rays.set(i, view.rows[v].origin, packet.directions[i], 1e-3f, 1e4f);
     } else {
       rays.switch_off(i);
     }
   }
-  Hits8 hits;
-  view.tracer.intersect(rays, true, hits);
+  view.tracer.intersect(rays, true, packet.hits);
+  return packet;
+}
+
+// First pass: one ray through the centre of each pixel gives depth and a colour. Rays go in packets of 4 x 2
+// pixels.
+void trace_centres(const View& view, int u0, int v0, Centres& centres) {
+  cv::Mat& color = centres.color;
+  const PacketHits packet = meet(view, u0, v0);
+  const Hits8& hits = packet.hits;
   for (int i = 0; i < 8; ++i) {
+    if (hits.triangle[i] == kNoHit) continue;
     const int u = u0 + i % 4, v = v0 + i / 4;
-    if (u >= color.cols || v >= color.rows || hits.triangle[i] == kNoHit) continue;
-    const Color light = shade(view, hits, i, rays_in_cam[i], directions[i], 1);
+    const Color light = shade(view, hits, i, packet.rays_in_cam[i], packet.directions[i], 1);
     color.at<cv::Vec3b>(v, u) = to_bytes(displayed(view, light));
     if (!centres.radiance.empty()) centres.radiance.at<cv::Vec3f>(v, u) = {light.b, light.g, light.r};
     centres.triangle.at<int>(v, u) = static_cast<int>(hits.triangle[i]);
-    if (!centres.distance.empty()) centres.distance.at<float>(v, u) = hits.t[i] * rays_in_cam[i].z();
+    if (!centres.distance.empty()) centres.distance.at<float>(v, u) = hits.t[i] * packet.rays_in_cam[i].z();
     if (centres.depth.empty()) continue;
     const double z = exact_z(view, u, v, hits.triangle[i]);
     if (z <= view.options.max_depth) centres.depth.at<float>(v, u) = static_cast<float>(z);
@@ -341,29 +353,17 @@ struct Middle {
 
 // The light of one ray in each of 4 x 2 pixels.
 void add_light(const View& view, const Middle& middle, int u0, int v0, cv::Mat& sum) {
-  Rays8 rays;
-  std::array<Vector3f, 8> rays_in_cam, directions;
+  const PacketHits packet = meet(view, u0, v0);
+  const Hits8& hits = packet.hits;
   for (int i = 0; i < 8; ++i) {
+    if (hits.triangle[i] == kNoHit) continue;
     const int u = u0 + i % 4, v = v0 + i / 4;
-    if (u < sum.cols && v < sum.rows) {
-      rays_in_cam[i] = view.ray_in_cam(u, v, view.offset);
-      directions[i] = view.rows[v].turn * rays_in_cam[i];
-      rays.set(i, view.rows[v].origin, directions[i], 1e-3f, 1e4f);
-    } else {
-      rays.switch_off(i);
-    }
-  }
-  Hits8 hits;
-  view.tracer.intersect(rays, true, hits);
-  for (int i = 0; i < 8; ++i) {
-    const int u = u0 + i % 4, v = v0 + i / 4;
-    if (u >= sum.cols || v >= sum.rows || hits.triangle[i] == kNoHit) continue;
-    const Vector3f place = view.rows[v].origin + hits.t[i] * directions[i];
+    const Vector3f place = view.rows[v].origin + hits.t[i] * packet.directions[i];
     cv::Vec3f& light = sum.at<cv::Vec3f>(v, u);
     if (const cv::Vec3f* known = middle.light_at(place, hits.triangle[i])) {
       light += *known;
     } else {
-      const Color shaded = shade(view, hits, i, rays_in_cam[i], directions[i], 1);
+      const Color shaded = shade(view, hits, i, packet.rays_in_cam[i], packet.directions[i], 1);
       light += cv::Vec3f(shaded.b, shaded.g, shaded.r);
     }
   }
@@ -371,25 +371,15 @@ void add_light(const View& view, const Middle& middle, int u0, int v0, cv::Mat& 
 
 // Depth and slant alone, for 4 x 2 pixels.
 void trace_surface(const View& view, int u0, int v0, SurfaceImage& surface) {
-  Rays8 rays;
-  std::array<Vector3f, 8> directions;
+  const PacketHits packet = meet(view, u0, v0);
+  const Hits8& hits = packet.hits;
   for (int i = 0; i < 8; ++i) {
+    if (hits.triangle[i] == kNoHit) continue;
     const int u = u0 + i % 4, v = v0 + i / 4;
-    if (u < surface.depth.cols && v < surface.depth.rows) {
-      directions[i] = view.rows[v].turn * view.ray_in_cam(u, v);
-      rays.set(i, view.rows[v].origin, directions[i], 1e-3f, 1e4f);
-    } else {
-      rays.switch_off(i);
-    }
-  }
-  Hits8 hits;
-  view.tracer.intersect(rays, true, hits);
-  for (int i = 0; i < 8; ++i) {
-    const int u = u0 + i % 4, v = v0 + i / 4;
-    if (u >= surface.depth.cols || v >= surface.depth.rows || hits.triangle[i] == kNoHit) continue;
     const SurfacePoint at = view.tracer.surface_point(hits.triangle[i], hits.weight1[i], hits.weight2[i]);
     surface.depth.at<float>(v, u) = static_cast<float>(exact_z(view, u, v, hits.triangle[i]));
-    surface.facing.at<float>(v, u) = std::abs(at.normal.dot(directions[i])) / directions[i].norm();
+    surface.facing.at<float>(v, u) =
+        std::abs(at.normal.dot(packet.directions[i])) / packet.directions[i].norm();
   }
 }
 
