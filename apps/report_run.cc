@@ -13,6 +13,7 @@
 #include "framewise/io/input_error.h"
 #include "framewise/io/trajectory_files.h"
 #include "framewise/report/record_fields.h"
+#include "run_record.h"
 
 namespace framewise::apps {
 namespace {
@@ -101,7 +102,7 @@ Json read_json(const fs::path& path) {
 Trajectory read_tum(const fs::path& path) { return read_trajectory(path, TrajectoryFormat::kTum).trajectory; }
 
 // The figures once more with what they are made of, as the run's record says they were made.
-Evaluation evaluate_again(const RunReport& report) {
+Evaluation evaluate_again(const RunReport& report, const Trajectory& estimate) {
   EvaluationOptions options;
   options.association.max_difference = 1e-6;
   const Json& record = report.record;
@@ -112,7 +113,7 @@ Evaluation evaluate_again(const RunReport& report) {
   if (const auto delta = record_number(record, "/evaluation/delta")) options.relative.delta = *delta;
   if (const auto unit = record_text(record, "/evaluation/unit"); !unit.empty())
     options.relative.unit = delta_unit_from_name(unit);
-  return evaluate(report.truth, report.estimate, options);
+  return evaluate(report.truth, estimate, options);
 }
 
 void read_truth(const fs::path& folder, RunReport& report) {
@@ -132,7 +133,8 @@ void read_truth(const fs::path& folder, RunReport& report) {
     return;
   }
   try {
-    report.evaluation = evaluate_again(report);
+    report.evaluation = evaluate_again(report, report.estimate);
+    if (!report.final.empty()) report.final_evaluation = evaluate_again(report, report.final);
   } catch (const std::invalid_argument& error) {
     report.missing.push_back(fmt::format("Nothing could be evaluated: {}.", error.what()));
   }
@@ -155,7 +157,10 @@ RunReport read_run(const fs::path& folder) {
   });
   try_to(report, [&] { report.estimate = read_tum(folder / "trajectory.tum"); });
   if (fs::exists(folder / "trajectory_final.tum"))
-    try_to(report, [&] { report.final = read_tum(folder / "trajectory_final.tum"); });
+    try_to(report, [&] {
+      const Trajectory final = read_tum(folder / "trajectory_final.tum");
+      if (has_moved(report.estimate, final)) report.final = final;
+    });
   try_to(report, [&] { read_truth(folder, report); });
   try_to(report, [&] { read_kept_frames(folder / kReportData, report); });
 

@@ -153,7 +153,9 @@ OdometryTaps export_taps(const RunCommand& command, const Dataset& images) {
 FrameSource frame_source(const RunCommand& command, const Recording& recording, Catch& caught) {
   return {recording.size(),
           [&](std::size_t i) {
-            const Frame frame = load_frame(*recording.images, i);
+            const Dataset& images = *recording.images;
+            const Frame frame =
+                reads_color(command.odometry.input) ? load_frame(images, i) : load_depth(images, i);
             if (caught.keeper) caught.keeper->see_image(i, frame);
             return frame;
           },
@@ -252,6 +254,7 @@ int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
     write_tum_trajectory(command.out / "trajectory_final.tum", final);
     final_evaluation = evaluate_run(recording, command.odometry, final);
     run["evaluation_final"] = final_evaluation ? Json(to_json(*final_evaluation)) : Json(nullptr);
+    if (!has_moved(tally.trajectory, final)) final_evaluation.reset();
   }
   run["command"] = invocation.command;
   run["machine"] = invocation.machine;

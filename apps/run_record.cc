@@ -52,6 +52,14 @@ std::optional<Evaluation> evaluate_run(const Recording& recording, const Odometr
   }
 }
 
+bool has_moved(const Trajectory& causal, const Trajectory& final) {
+  if (causal.size() != final.size()) return true;
+  for (std::size_t i = 0; i < final.size(); ++i)
+    if ((causal.world_from_cam[i].matrix() - final.world_from_cam[i].matrix()).cwiseAbs().maxCoeff() > 1e-9)
+      return true;
+  return false;
+}
+
 Json run_record(const Recording& recording, const Json& options, const Tally& tally, double seconds,
                 const std::optional<Evaluation>& evaluation) {
   Json statuses = Json::object();
@@ -99,6 +107,7 @@ void print_summary(const Json& run, const std::optional<Evaluation>& evaluation,
   if (const Json& archive = run["archive"]; !archive.is_null() && archive["missing_pairs"] > 0)
     fmt::print("{} pairs to bridge a loss are not in the archive: run on the images to have them\n",
                archive["missing_pairs"].get<std::size_t>());
+  const bool has_final = run.contains("evaluation_final");
   if (evaluation && final_evaluation) fmt::print("Causal: each pose as it was known when its frame came\n");
   if (evaluation)
     fmt::print("{}", to_text(*evaluation));
@@ -106,7 +115,8 @@ void print_summary(const Json& run, const std::optional<Evaluation>& evaluation,
     fmt::print("No truth beside the recording: nothing to evaluate against.\n");
   if (final_evaluation)
     fmt::print("\nFinal: the poses with what later frames told of them\n{}", to_text(*final_evaluation));
-  const bool has_final = run.contains("evaluation_final");
+  else if (evaluation && has_final)
+    fmt::print("\nCausal and final are the same: later frames moved no pose\n");
   fmt::print("Written: {}\n", (out / "{trajectory.tum").string() +
                                   (has_final ? ",trajectory_final.tum" : "") + ",frames.csv,run.json" +
                                   (has_report ? ",report.html}" : "}"));

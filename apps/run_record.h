@@ -51,12 +51,15 @@ struct Tally {
 std::optional<Evaluation> evaluate_run(const Recording& recording, const OdometryOptions& odometry,
                                        const Trajectory& estimate);
 
+// Whether later frames moved any pose: more than 1e-9 m, or than 1e-9 in an entry of its rotation.
+bool has_moved(const Trajectory& causal, const Trajectory& final);
+
 // run.json.
 nlohmann::ordered_json run_record(const Recording& recording, const nlohmann::ordered_json& options,
                                   const Tally& tally, double seconds,
                                   const std::optional<Evaluation>& evaluation);
 
-// final_evaluation: of the trajectory as it is known in the end, where there is one.
+// final_evaluation: of the trajectory as it is known in the end, where later frames moved poses.
 void print_summary(const nlohmann::ordered_json& run, const std::optional<Evaluation>& evaluation,
                    const std::optional<Evaluation>& final_evaluation, const std::filesystem::path& out,
                    bool has_report);

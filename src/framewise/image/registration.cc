@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "framewise/image/depth.h"
 #include "framewise/image/image_check.h"
@@ -12,83 +15,94 @@
 namespace framewise {
 namespace {
 
-constexpr double kWidestPatch_px = 32;
-constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-
 void check_depth_camera(const Camera& camera) {
   camera.check();
   if (camera.model == CameraModel::kEquirectangular)
     throw std::invalid_argument("depth camera: model: found equirectangular, expected pinhole or fisheye");
 }
 
-cv::Mat rotated_corners(const DepthCamera& depth_camera) {
+std::array<std::vector<double>, 3> turned_corners(const DepthCamera& depth_camera) {
   const Camera& camera = depth_camera.camera;
-  cv::Mat corners(camera.height + 1, camera.width + 1, CV_64FC3);
-  for (int v = 0; v < corners.rows; ++v)
-    for (int u = 0; u < corners.cols; ++u) {
+  std::array<std::vector<double>, 3> corners;
+  for (int v = 0; v <= camera.height; ++v)
+    for (int u = 0; u <= camera.width; ++u) {
       const auto bearing = camera.bearing({u - 0.5, v - 0.5});
       const bool forward = bearing && bearing->z() > 0;
       const Eigen::Vector3d ray =
           forward ? Eigen::Vector3d(depth_camera.cam_from_depth_cam.R * (*bearing / bearing->z()))
-                  : Eigen::Vector3d::Constant(kNowhere);
-      corners.at<cv::Vec3d>(v, u) = {ray.x(), ray.y(), ray.z()};
+                  : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+      for (int axis = 0; axis < 3; ++axis) corners[axis].push_back(ray[axis]);
     }
   return corners;
 }
 
-struct Span {
-  int begin, end;
-};
-
 // The whole numbers in [a, b), or [b, a), that are at least 0 and below size; none where the box is too wide.
-Span covered(double a, double b, int size) {
+std::pair<int, int> covered(double a, double b, int size) {
   if (a > b) std::swap(a, b);
   if (!(b - a <= kWidestPatch_px) || !(b > 0) || !(a < size)) return {0, 0};
   return {std::max(0, static_cast<int>(std::ceil(a))), std::min(size, static_cast<int>(std::ceil(b)))};
 }
 
+// Where patches overlap, the nearest to the camera wins.
+void cover(cv::Mat& registered, int left, int right, int top, int bottom, float z) {
+  for (int v = top; v < bottom; ++v) {
+    float* row = registered.ptr<float>(v);
+    for (int u = left; u < right; ++u)
+      if (!(row[u] <= z)) row[u] = z;  // NaN is not nearer
+  }
+}
+
 }  // namespace
 
 DepthRegistration::DepthRegistration(const Camera& camera, const DepthCamera& depth_camera)
-    : camera_(camera),
-      width_(depth_camera.camera.width),
-      height_(depth_camera.camera.height),
-      t_(depth_camera.cam_from_depth_cam.t) {
+    : camera_(camera), width_(depth_camera.camera.width), height_(depth_camera.camera.height) {
   camera.check();
   check_depth_camera(depth_camera.camera);
-  corners_ = rotated_corners(depth_camera);
+  const Eigen::Vector3d& t = depth_camera.cam_from_depth_cam.t;
+  view_ = {camera.fx, camera.fy, camera.cx, camera.cy, camera.width, camera.height, {t.x(), t.y(), t.z()}};
+  corners_ = turned_corners(depth_camera);
 }
 
-cv::Point2d DepthRegistration::project(const cv::Vec3d& corner, double z) const {
-  const double X = z * corner[0] + t_.x(), Y = z * corner[1] + t_.y(), Z = z * corner[2] + t_.z();
-  if (camera_.model == CameraModel::kPinhole && !camera_.is_distorted())
-    return Z > 0 ? cv::Point2d(camera_.fx * X / Z + camera_.cx, camera_.fy * Y / Z + camera_.cy)
-                 : cv::Point2d(kNowhere, kNowhere);
-  const auto pixel = camera_.project({X, Y, Z});
-  return pixel ? cv::Point2d(pixel->x(), pixel->y()) : cv::Point2d(kNowhere, kNowhere);
+CornerRow DepthRegistration::corners(int row) const {
+  const std::size_t begin = static_cast<std::size_t>(row) * (width_ + 1);
+  return {&corners_[0][begin], &corners_[1][begin], &corners_[2][begin]};
 }
 
-void DepthRegistration::cover(cv::Mat& registered, const cv::Vec3d& corner1, const cv::Vec3d& corner2,
-                              double z) const {
-  const float z_in_cam = static_cast<float>(0.5 * z * (corner1[2] + corner2[2]) + t_.z());
-  if (!(z_in_cam > 0)) return;
-  const cv::Point2d a = project(corner1, z), b = project(corner2, z);
-  const Span columns = covered(a.x, b.x, registered.cols), rows = covered(a.y, b.y, registered.rows);
-  for (int v = rows.begin; v < rows.end; ++v)
-    for (int u = columns.begin; u < columns.end; ++u) {
-      float& nearest = registered.at<float>(v, u);
-      if (!(nearest <= z_in_cam)) nearest = z_in_cam;  // NaN is not nearer
-    }
+void DepthRegistration::patches_of_distorted(int row, const float* depth, const PatchRow& patches) const {
+  const auto pixel_of = [&](const CornerRow& corner, int u, double z) {
+    return camera_.project(
+        {z * corner.x[u] + view_.t[0], z * corner.y[u] + view_.t[1], z * corner.z[u] + view_.t[2]});
+  };
+  const CornerRow upper = corners(row), lower = corners(row + 1);
+  for (int u = 0; u < width_; ++u) {
+    patches.left[u] = patches.right[u] = 0;
+    if (!is_known_depth(depth[u])) continue;
+    const double z = depth[u];
+    patches.z[u] = static_cast<float>(0.5 * z * (upper.z[u] + lower.z[u + 1]) + view_.t[2]);
+    const auto a = pixel_of(upper, u, z), b = pixel_of(lower, u + 1, z);
+    if (!a || !b || !(patches.z[u] > 0)) continue;
+    std::tie(patches.left[u], patches.right[u]) = covered(a->x(), b->x(), view_.width);
+    std::tie(patches.top[u], patches.bottom[u]) = covered(a->y(), b->y(), view_.height);
+  }
 }
 
 cv::Mat DepthRegistration::operator()(const cv::Mat& depth) const {
   check_image("depth", depth, CV_32F);
   check_image_size("depth", depth, width_, height_);
   cv::Mat registered(camera_.height, camera_.width, CV_32F, cv::Scalar(kUnknownDepth));
-  for (int v = 0; v < height_; ++v)
+  std::vector<std::int32_t> bounds(4 * static_cast<std::size_t>(width_));
+  std::vector<float> z(width_);
+  const PatchRow patches{bounds.data(), bounds.data() + width_, bounds.data() + 2 * width_,
+                         bounds.data() + 3 * width_, z.data()};
+  const bool is_plain = camera_.model == CameraModel::kPinhole && !camera_.is_distorted();
+  for (int v = 0; v < height_; ++v) {
+    if (is_plain)
+      patches_of_row(corners(v), corners(v + 1), depth.ptr<float>(v), width_, view_, patches);
+    else
+      patches_of_distorted(v, depth.ptr<float>(v), patches);
     for (int u = 0; u < width_; ++u)
-      if (const float z = depth.at<float>(v, u); is_known_depth(z))
-        cover(registered, corners_.at<cv::Vec3d>(v, u), corners_.at<cv::Vec3d>(v + 1, u + 1), z);
+      cover(registered, patches.left[u], patches.right[u], patches.top[u], patches.bottom[u], patches.z[u]);
+  }
   return registered;
 }
 

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "framewise/geometry/camera.h"
+#include "framewise/image/registration_kernels.h"
 
 namespace framewise {
 
@@ -32,15 +35,15 @@ class DepthRegistration {
   cv::Mat operator()(const cv::Mat& depth) const;
 
  private:
-  cv::Point2d project(const cv::Vec3d& corner, double z) const;
-  void cover(cv::Mat& registered, const cv::Vec3d& corner1, const cv::Vec3d& corner2, double z) const;
+  void patches_of_distorted(int row, const float* depth, const PatchRow& patches) const;
+  CornerRow corners(int row) const;
 
   Camera camera_;
   int width_, height_;  // of the depth camera
-  Eigen::Vector3d t_;
-  // CV_64FC3: at (u, v), R (x, y, 1) with (x, y, 1) through the upper left corner of pixel (u, v); NaN where
+  PatchView view_;
+  // R (x, y, 1) with (x, y, 1) through the upper left corner of pixel (u, v), its x, y and z apart; NaN where
   // the depth camera has no ray. One more row and column than pixels.
-  cv::Mat corners_;
+  std::array<std::vector<double>, 3> corners_;
 };
 
 }  // namespace framewise

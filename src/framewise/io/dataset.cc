@@ -148,6 +148,12 @@ Frame load_frame(const Dataset& dataset, std::size_t index) {
   return frame;
 }
 
+Frame load_depth(const Dataset& dataset, std::size_t index) {
+  FrameFiles files = dataset.frames.at(index);
+  files.color.clear();
+  return read_frame(files, dataset.calibration, dataset.calibration_source, dataset.registration.get());
+}
+
 Trajectory truth_at_frames(const Dataset& dataset, double max_gap) {
   Trajectory truth;
   for (const FrameFiles& frame : dataset.frames)

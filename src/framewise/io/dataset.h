@@ -84,6 +84,9 @@ Frame read_frame(const FrameFiles& files, const CameraFile& calibration,
 // images of two sizes are refused.
 Frame load_frame(const Dataset& dataset, std::size_t index);
 
+// The same without colour, which is not read.
+Frame load_depth(const Dataset& dataset, std::size_t index);
+
 // The truth at the frames' times (linear and slerp): one entry for each frame the truth covers.
 Trajectory truth_at_frames(const Dataset& dataset, double max_gap);
 

@@ -8,6 +8,7 @@
 
 #include "framewise/image/depth_rays.h"
 #include "framewise/io/axes.h"
+#include "framewise/io/input_error.h"
 #include "framewise/io/recordings_for_tests.h"
 #include "framewise/io/trajectory_files.h"
 
@@ -125,6 +126,18 @@ TEST_F(SevenScenesLayout, IsReadInMillimetres) {
   const Dataset dataset = open_dataset(folder_, options);
   expect_recording(dataset, {"7-scenes"});
   EXPECT_EQ(dataset.recognised_by, "it has frame-000000.color.png");
+}
+
+TEST_F(SevenScenesLayout, ColourIsNotReadWhereDepthAloneIsAskedFor) {
+  write_frames({});
+  write("frame-000001.color.png", std::string("no image"));
+  write("camera.yaml", small_camera_yaml());
+  const Dataset dataset = open_dataset(folder_, {});
+  EXPECT_THROW(load_frame(dataset, 1), InputError);
+  const Frame frame = load_depth(dataset, 1);
+  EXPECT_TRUE(frame.gray.empty());
+  EXPECT_EQ(frame.depth.cols, kWidth);
+  EXPECT_EQ(frame.time, dataset.frames[1].time);
 }
 
 TEST_F(SevenScenesLayout, DepthIsMovedIntoTheColourImageAndTheTruthToItsCamera) {

@@ -42,8 +42,12 @@ class InputImage {
   std::optional<DepthRays> rays_;  // where surfaces are looked at
 };
 
-// Whether the name's image is made of the depth image.
-// (of auto: not every time, but where depth is needed it is there).
+// Whether the name's image is made of the depth image; that of auto is where colour tells too little.
 inline bool is_made_of_depth(const std::string& input_name) { return input_name != "color"; }
+
+// Whether colour is ever looked at.
+inline bool reads_color(const std::string& input_name) {
+  return input_name == "color" || input_name == "auto";
+}
 
 }  // namespace framewise

@@ -41,11 +41,9 @@ Table::Cell still_cell(const std::optional<double>& still) {
   return still ? figure_text(*still) : "no pairs";
 }
 
-std::string evaluation_html(const RunReport& report) {
-  if (!report.evaluation) return "<p>Nothing was evaluated; the hints above say why.</p>\n";
-  const Evaluation& e = *report.evaluation;
+std::string errors_html(const Evaluation& e, const std::string& whose) {
   Table table;
-  table.caption = fmt::format("Errors of {} matched poses", e.matched);
+  table.caption = fmt::format("Errors of {} matched poses{}", e.matched, whose);
   table.columns = {{"error", false}, {"RMSE"}, {"mean"}, {"median"},
                    {"std"},          {"min"},  {"max"},  {"never moved (RMSE)"}};
   const auto add = [&](const std::string& name, const Statistics& s, const Table::Cell& still) {
@@ -63,7 +61,16 @@ std::string evaluation_html(const RunReport& report) {
     add(fmt::format("|{}| of the position (m)", "xyz"[axis]), e.axes.position[axis], "");
   for (int axis = 0; axis < 3; ++axis)
     add(fmt::format("|{} angle| (deg)", "xyz"[axis]), e.axes.euler_deg[axis], "");
+  return html_table(table);
+}
 
+std::string evaluation_html(const RunReport& report) {
+  if (!report.evaluation) return "<p>Nothing was evaluated; the hints above say why.</p>\n";
+  const Evaluation& e = *report.evaluation;
+  std::string tables =
+      errors_html(e, report.final_evaluation ? ", causal: as known when the frame came" : "");
+  if (report.final_evaluation)
+    tables += errors_html(*report.final_evaluation, ", final: with what later frames told");
   const Entries definitions = {
       {"alignment", fmt::format("{}, scale {}", name_of(e.options.alignment),
                                 figure_text(e.reference_from_estimate.scale))},
@@ -80,7 +87,7 @@ std::string evaluation_html(const RunReport& report) {
       {"never moved",
        "what a camera that stood still would have scored: same matches, same alignment, same pairs"},
       {"papers", "ATE and RPE: Sturm, Engelhard, Endres, Burgard, Cremers, IROS 2012, Eq. (1) to (3)"}};
-  return html_table(table) + html_list(definitions);
+  return tables + html_list(definitions);
 }
 
 std::string match_html(const RunReport& report) {

@@ -41,8 +41,9 @@ struct RunReport {
   std::string command, machine;   // as they were; empty where not known
   nlohmann::ordered_json record;  // run.json
   std::vector<ReportedFrame> frames;
-  Trajectory estimate, final, truth;     // world_from_cam; empty where there is none
-  std::optional<Evaluation> evaluation;  // of the estimate
+  Trajectory estimate, final, truth;           // world_from_cam; empty where there is none
+  std::optional<Evaluation> evaluation;        // of the estimate
+  std::optional<Evaluation> final_evaluation;  // where later frames moved poses
   int image_width = 0, image_height = 0;
   std::vector<MatchImage> images;    // by index
   std::vector<std::string> missing;  // what could not be read or made, and why: a sentence each

@@ -112,6 +112,18 @@ TEST(RunPage, IsDecimatedForLongRuns) {
   EXPECT_LT(run_page(report_of(truth, truth)).size(), 3'000'000u);
 }
 
+TEST(RunPage, JudgesTheFinalTrajectoryWhereLaterFramesMovedPoses) {
+  const Trajectory truth = path(20, 0.05, 0.01), causal = path(20, 0.051, 0.01),
+                   last = path(20, 0.0505, 0.01);
+  RunReport report = report_of(truth, causal);
+  EXPECT_THAT(run_page(report), Not(HasSubstr("with what later frames told")));
+  report.final = last;
+  report.final_evaluation = evaluate(truth, last, {});
+  const std::string page = run_page(report);
+  EXPECT_THAT(page, HasSubstr("causal: as known when the frame came"));
+  EXPECT_THAT(page, HasSubstr("final: with what later frames told"));
+}
+
 TEST(FigureFiles, HaveNamesOfTheirOwn) {
   const Trajectory truth = path(20, 0.05, 0.01);
   std::vector<std::string> names;
