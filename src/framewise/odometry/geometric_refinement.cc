@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/odometry/geometric_refinement.h"
 
+#include <limits>
+
 #include "framewise/geometry/so3.h"
 #include "framewise/image/densify.h"
 
@@ -47,6 +49,10 @@ SurfacePyramid GeometricRefinement::surface(const cv::Mat& depth) const {
   return maker_(is_sparse(depth) ? densify(depth, {}).depth : depth);
 }
 
+const Pose& GeometricRefinement::world_from_base() const {
+  return uses_model_ ? model_.world_from_keyframe() : world_from_reference_;
+}
+
 Pose GeometricRefinement::predicted(double time) const {
   if (!(motion_time_ > 0)) return world_from_reference_;
   const double share = std::min((time - reference_time_) / motion_time_, kMostContinued);
@@ -64,13 +70,15 @@ Pose GeometricRefinement::guess(const SurfacePyramid& surface, const Pose& predi
 
 std::optional<GeometricRefinement::Found> GeometricRefinement::align(const SurfacePyramid& surface,
                                                                      const Pose& world_from_cam_guess) const {
-  const Pose& world_from_cam1 = uses_model_ ? model_.world_from_keyframe() : world_from_reference_;
-  auto alignment = uses_model_ ? model_.align(surface, world_from_cam_guess)
-                               : align_surfaces(*reference_, surface,
-                                                world_from_cam_guess.inverse() * world_from_cam1, alignment_);
+  auto alignment = uses_model_
+                       ? model_.align(surface, world_from_cam_guess)
+                       : align_surfaces(*reference_, surface,
+                                        world_from_cam_guess.inverse() * world_from_base(), alignment_);
   if (!alignment || alignment->overlap < kLeastOverlap || alignment->free_directions.size() == 6)
     return std::nullopt;
-  return Found{*alignment, renewed(world_from_cam1 * alignment->cam2_from_cam1.inverse())};
+  return Found{*alignment,
+               {alignment->cam2_from_cam1, alignment->covariance},
+               renewed(world_from_base() * alignment->cam2_from_cam1.inverse())};
 }
 
 std::optional<GeometricRefinement::Found> GeometricRefinement::find(const SurfacePyramid& surface,
@@ -83,18 +91,29 @@ std::optional<GeometricRefinement::Found> GeometricRefinement::find(const Surfac
   return align(surface, in_color ? *by_features : prediction);
 }
 
+GeometricRefinement::Found GeometricRefinement::weighed(const Found& found, const Step& from_features) const {
+  const PoseEstimate reference{world_from_reference_.inverse() * world_from_base(), reference_covariance_};
+  const auto both = fused(found.cam_from_base,
+                          chained({from_features.cam2_from_cam1, from_features.covariance}, reference));
+  if (!both) return found;
+  return {found.alignment, *both, renewed(world_from_base() * both->cam2_from_cam1.inverse())};
+}
+
 void GeometricRefinement::refer_to(double time, std::shared_ptr<const SurfacePyramid> surface,
-                                   const Pose& world_from_cam, double overlap) {
+                                   const Pose& world_from_cam, const Matrix6d& covariance, double overlap) {
   if (reference_) {
     motion_ = world_from_reference_.inverse() * world_from_cam;
     motion_time_ = time - reference_time_;
   }
+  const std::size_t keyframes = model_.keyframes();
   if (uses_model_ && model_.is_started())
     model_.add(*surface, world_from_cam, overlap);
   else if (uses_model_)
     model_.start(*surface, world_from_cam);
   reference_ = std::move(surface);
   world_from_reference_ = world_from_cam;
+  const bool is_base = !uses_model_ || model_.keyframes() != keyframes;
+  reference_covariance_ = is_base ? Matrix6d::Zero() : covariance;
   reference_time_ = time;
   newest_is_reference_ = true;
 }
@@ -105,7 +124,7 @@ Step GeometricRefinement::refine(double time, std::shared_ptr<const SurfacePyram
   const bool sees = shows_enough(*surface);
   if (!reference_) {
     if (sees)
-      refer_to(time, std::move(surface), Pose(), 1);
+      refer_to(time, std::move(surface), Pose(), Matrix6d::Zero(), 1);
     else if (!is_measured(step.status))
       step.status = Status::kNoDepth;
     return step;
@@ -113,7 +132,7 @@ Step GeometricRefinement::refine(double time, std::shared_ptr<const SurfacePyram
   std::optional<Pose> by_features;
   if (newest_is_reference_ && is_measured(from_features.status))
     by_features = world_from_reference_ * from_features.cam2_from_cam1.inverse();
-  const auto found = sees ? find(*surface, predicted(time), by_features, in_color) : std::nullopt;
+  auto found = sees ? find(*surface, predicted(time), by_features, in_color) : std::nullopt;
   if (!found && !by_features) {
     newest_is_reference_ = false;
     step = Step();
@@ -121,16 +140,23 @@ Step GeometricRefinement::refine(double time, std::shared_ptr<const SurfacePyram
     step.status = sees ? Status::kLost : Status::kNoDepth;
     return step;
   }
+  if (found && in_color && by_features) found = weighed(*found, from_features);
   const Pose world_from_cam = found ? found->world_from_cam : *by_features;
   if (found) {
     step.status = found->alignment.free_directions.empty() ? Status::kOk : Status::kLowParallax;
     step.cam2_from_cam1 = renewed(world_from_cam.inverse() * world_from_reference_);
-    step.covariance = found->alignment.covariance;
+    const PoseEstimate reference{world_from_reference_.inverse() * world_from_base(), reference_covariance_};
+    step.covariance = between(found->cam_from_base, reference).covariance;
     for (const FreeDirection& direction : found->alignment.free_directions)
       step.free_directions.push_back(name_of(direction));
     step.overlap = found->alignment.overlap;
   }
-  if (sees) refer_to(time, std::move(surface), world_from_cam, found ? found->alignment.overlap : 0);
+  // Where nothing was found the features' step is followed, and what it is worth is not known.
+  if (sees)
+    refer_to(time, std::move(surface), world_from_cam,
+             found ? found->cam_from_base.covariance
+                   : Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN()),
+             found ? found->alignment.overlap : 0);
   newest_is_reference_ = sees;
   return step;
 }
