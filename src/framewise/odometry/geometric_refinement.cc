@@ -16,6 +16,9 @@ constexpr double kLeastKnown = 0.02;
 constexpr double kLeastOverlap = 0.3;
 // A depth image of which less is known (and more than nothing) is a scanner's points.
 constexpr double kSparse = 0.2;
+// Features of one frame share errors, of depth that is rounded and of noise in their patches, that their
+// covariance takes for independent: their variances are believed to be so many times what it says.
+constexpr double kSharedErrors = 4;
 // A motion is continued over no more frames than this.
 constexpr double kMostContinued = 3;
 
@@ -93,8 +96,9 @@ std::optional<GeometricRefinement::Found> GeometricRefinement::find(const Surfac
 
 GeometricRefinement::Found GeometricRefinement::weighed(const Found& found, const Step& from_features) const {
   const PoseEstimate reference{world_from_reference_.inverse() * world_from_base(), reference_covariance_};
-  const auto both = fused(found.cam_from_base,
-                          chained({from_features.cam2_from_cam1, from_features.covariance}, reference));
+  const auto both =
+      fused(found.cam_from_base,
+            chained({from_features.cam2_from_cam1, kSharedErrors * from_features.covariance}, reference));
   if (!both) return found;
   return {found.alignment, *both, renewed(world_from_base() * both->cam2_from_cam1.inverse())};
 }
