@@ -83,6 +83,8 @@ void visit_map_options(OdometryOptions& o, Visit&& visit) {
   visit("map-features", o.map.features, "map: features of a keyframe");
   visit("map-spread", o.map.spread, "map: features over the image: none, grid or anms");
   visit("keyframe-share", o.map.keyframe_share, "map: one that sees less of the last keyframe becomes one");
+  visit("keyframe-shift", o.map.keyframe_shift,
+        "map: without depth one whose motion shifted the image by this share of its width as well");
   visit("keyframes", o.map.keyframes, "map: keyframes that are kept");
   visit("newest-keyframes", o.map.newest, "map: of them tracked against whatever they see");
   visit("other-keyframes", o.map.others, "map: and those most in view");

@@ -17,14 +17,26 @@ bool is_seen_alike(const Eigen::Vector3d& x_in_host, const Eigen::Vector3d& x_in
   return (cam_from_host * x_in_host).dot(x_in_cam) > std::cos(M_PI / 4) * from * to;
 }
 
+double spread_px(const MapPoint& point, const Pose& cam_from_host, const Eigen::Vector3d& x_in_cam,
+                 const Camera& camera) {
+  const auto J = camera.project_jacobian(x_in_cam);
+  if (!J) return std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d by_inverse_z = cam_from_host.R * point.ray / (point.inverse_z * point.inverse_z);
+  return std::sqrt(point.variance) * (*J * by_inverse_z).norm();
+}
+
 std::optional<VisiblePoint> seen(const Keyframe& host, int index, const Pose& cam_from_host,
                                  const Camera& camera, const Shutter& shutter = {}) {
-  const Eigen::Vector3d x_in_host = host.points[index].position();
+  const MapPoint& point = host.points[index];
+  if (point.is_given_up) return std::nullopt;
+  const Eigen::Vector3d x_in_host = point.position();
   const Eigen::Vector3d x_in_cam = cam_from_host * x_in_host;
   if (x_in_cam.z() <= 0 || !is_seen_alike(x_in_host, x_in_cam, cam_from_host.R)) return std::nullopt;
   const auto pixel = shutter.project(camera, x_in_cam);
   if (!pixel || !camera.contains(*pixel)) return std::nullopt;
-  return VisiblePoint{{host.id, index}, *pixel, x_in_cam};
+  VisiblePoint visible{{host.id, index}, *pixel, x_in_cam};
+  if (!point.is_known()) visible.spread_px = spread_px(point, cam_from_host, x_in_cam, camera);
+  return visible;
 }
 
 // Of a sample of its points.
@@ -90,6 +102,13 @@ std::vector<VisiblePoint> points_in_view(const LocalMap& map, const std::vector<
       if (const auto point = seen(host, i, cam_from_host, camera, shutter)) points.push_back(*point);
   }
   return points;
+}
+
+std::vector<VisiblePoint> settled(const std::vector<VisiblePoint>& points, double max_spread_px) {
+  std::vector<VisiblePoint> near;
+  for (const VisiblePoint& point : points)
+    if (point.spread_px <= max_spread_px) near.push_back(point);
+  return near;
 }
 
 }  // namespace framewise

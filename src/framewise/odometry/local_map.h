@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <memory>
@@ -34,7 +35,14 @@ struct MapPoint {
   double measured = 0;     // inverse_z as depth images alone have it, and its information; 0 where none has
   double information = 0;  // (m^2)
   std::vector<PointView> views;
-  int sought = 0, found = 0;  // in how many frames
+  int sought = 0, found = 0;  // in how many frames, while its depth was not known
+  bool is_given_up = false;   // it was not what it was taken for
+
+  // Else it is a direction and a guess of how far that reaches.
+  bool is_known() const {
+    constexpr double kMostRelativeSigma = 0.3;
+    return std::sqrt(variance) < kMostRelativeSigma * inverse_z;
+  }
 
   Eigen::Vector3d position() const { return ray / inverse_z; }  // in the host
   // Its covariance there: along the ray alone.
@@ -92,6 +100,7 @@ struct VisiblePoint {
   PointRef ref;
   Eigen::Vector2d pixel;
   Eigen::Vector3d x_in_cam;
+  double spread_px = 0;  // how far off it may be for want of its depth, of a point that is not known
 };
 
 // Keyframes to track against from a pose: the newest ones, and of the others those whose points are most in
@@ -103,5 +112,8 @@ std::vector<int> keyframes_in_view(const LocalMap& map, const Pose& world_from_c
 std::vector<VisiblePoint> points_in_view(const LocalMap& map, const std::vector<int>& keyframes,
                                          const Pose& world_from_cam, const Camera& camera,
                                          const Shutter& shutter);
+
+// Those that are so near to where they are expected that a search there finds them.
+std::vector<VisiblePoint> settled(const std::vector<VisiblePoint>& points, double max_spread_px);
 
 }  // namespace framewise

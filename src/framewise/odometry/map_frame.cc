@@ -9,6 +9,7 @@ MapFrame look_at(const Frame& frame, std::size_t index) {
   seen.index = index;
   seen.time = frame.time;
   seen.depth = frame.depth;
+  seen.has_depth = !frame.depth.empty();
   seen.depth_delay = frame.depth_delay;
   if (!frame.gray.empty()) seen.levels = image_levels(frame.gray);
   return seen;

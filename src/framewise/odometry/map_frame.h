@@ -23,6 +23,7 @@ struct MapFrame {
   std::vector<Eigen::Vector3d> rays;  // of the features, on the plane z = 1
   ImageLevels levels;                 // of the gray image; empty where there is none
   cv::Mat depth;                      // as in Frame, with its delay
+  bool has_depth = false;             // kept when the image is let go
   double depth_delay = 0;
   bool is_described = false;
 

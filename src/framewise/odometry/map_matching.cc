@@ -21,7 +21,7 @@ std::vector<cv::Point2f> places_of(const Features& features) {
 cv::Mat rows_for(int count, const cv::Mat& like) { return cv::Mat(count, like.cols, like.type()); }
 
 // Points of as many parts of the image as there are, at most `max_count`: one of each cell, then another.
-// Within a cell newer keyframes, whose view is more alike, come first.
+// Within a cell points of known depth come first, and newer keyframes, whose view is more alike.
 std::vector<int> spread_over_image(const std::vector<VisiblePoint>& points, int max_count) {
   constexpr double kCellPx = 32;
   std::vector<int> order;
@@ -34,13 +34,15 @@ std::vector<int> spread_over_image(const std::vector<VisiblePoint>& points, int 
     columns = std::max(columns, static_cast<int>(point.pixel.x() / kCellPx) + 2);
   std::vector<std::pair<int, int>> ranked;  // rank in its cell, index
   std::vector<int> taken;
-  for (int i = static_cast<int>(points.size()) - 1; i >= 0; --i) {
-    const auto cell =
-        static_cast<std::size_t>(static_cast<int>(std::max(0.0, points[i].pixel.y()) / kCellPx) * columns +
-                                 static_cast<int>(std::max(0.0, points[i].pixel.x()) / kCellPx));
-    if (cell >= taken.size()) taken.resize(cell + 1, 0);
-    ranked.emplace_back(taken[cell]++, i);
-  }
+  for (const bool known : {true, false})
+    for (int i = static_cast<int>(points.size()) - 1; i >= 0; --i) {
+      if ((points[i].spread_px == 0) != known) continue;
+      const auto cell =
+          static_cast<std::size_t>(static_cast<int>(std::max(0.0, points[i].pixel.y()) / kCellPx) * columns +
+                                   static_cast<int>(std::max(0.0, points[i].pixel.x()) / kCellPx));
+      if (cell >= taken.size()) taken.resize(cell + 1, 0);
+      ranked.emplace_back(taken[cell]++, i);
+    }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   ranked.resize(max_count);
@@ -49,7 +51,8 @@ std::vector<int> spread_over_image(const std::vector<VisiblePoint>& points, int 
   return order;
 }
 
-// The level of the frame's pyramid on which a feature of the host has the size it was found at.
+}  // namespace
+
 int level_of(const Keyframe& host, const MapPoint& point, const Eigen::Matrix2d& warp, int levels) {
   const double scale = host.frame->features.scale(point.feature) * std::sqrt(std::abs(warp.determinant()));
   return std::clamp(static_cast<int>(std::lround(std::log2(std::max(1e-3, scale)))), 0, levels - 1);
@@ -67,8 +70,6 @@ std::optional<TrackedPatch> track_from_coarse(const ImageLevels& host, const Ima
   warp.level = finest;
   return track_patch(host, frame, warp);
 }
-
-}  // namespace
 
 std::vector<FeatureOfPoint> match_in_window(const LocalMap& map, const std::vector<VisiblePoint>& points,
                                             const MapFrame& frame, double window_px) {
@@ -102,7 +103,8 @@ std::vector<FeatureOfPoint> match_anywhere(const Keyframe& keyframe, const MapFr
   options.max_ratio = 0.85;
   std::vector<FeatureOfPoint> matches;
   for (const FeatureMatch& match : match_features(descriptors, frame.features.descriptors, options))
-    matches.push_back({{keyframe.id, match.index1}, match.index2});
+    if (keyframe.points[match.index1].is_known() && !keyframe.points[match.index1].is_given_up)
+      matches.push_back({{keyframe.id, match.index1}, match.index2});
   return matches;
 }
 

@@ -37,6 +37,13 @@ std::vector<TrackedPoint> track_map_points(const LocalMap& map, const std::vecto
                                            const MapFrame& frame, const Pose& world_from_cam,
                                            const Camera& camera, int coarser, int max_count);
 
+// The level of a pyramid on which a feature of the host, warped so, has the size it was found at.
+int level_of(const Keyframe& host, const MapPoint& point, const Eigen::Matrix2d& warp, int levels);
+
+// track_patch from `coarser` levels above warp.level down to it.
+std::optional<TrackedPatch> track_from_coarse(const ImageLevels& host, const ImageLevels& frame,
+                                              PatchWarp warp, int coarser);
+
 // How an offset from the point's pixel in the host looks in a camera; empty where either does not see it.
 std::optional<Eigen::Matrix2d> warp_of_patch(const Eigen::Vector3d& x_in_host, const Pose& cam_from_host,
                                              const Camera& camera);

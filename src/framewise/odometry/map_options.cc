@@ -17,6 +17,8 @@ void MapOptions::check() const {
   };
   require(keyframe_share > 0 && keyframe_share < 1, "keyframe-share", keyframe_share,
           "more than 0, less than 1");
+  require(keyframe_shift > 0 && keyframe_shift < 1, "keyframe-shift", keyframe_shift,
+          "more than 0, less than 1");
   require(features >= 50 && features <= 100000, "map-features", features, "50 to 100000");
   spread_of(spread);
   require(keyframes >= 2 && keyframes <= 1000, "keyframes", keyframes, "2 to 1000");

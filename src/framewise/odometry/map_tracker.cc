@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "framewise/geometry/so3.h"
+#include "framewise/odometry/depth_filter.h"
 #include "framewise/odometry/map_growth.h"
 #include "framewise/odometry/window_adjustment.h"
 
@@ -130,6 +131,15 @@ void MapTracker::build_from_two_views(std::shared_ptr<MapFrame> frame, TwoViewSt
   points_at_keyframe_ = std::min(options_.map.points, static_cast<int>(kept_host.points.size()));
   world_from_before_ = world_from_cam;
   adjust();
+  std::vector<TrackedPoint> seen1, seen2;
+  for (std::size_t i = 0; i < two_views.seen_by.size(); ++i) {
+    const FeaturePair& pair = two_views.seen_by[i];
+    const PointRef ref{host_id, static_cast<int>(i)};
+    seen1.push_back({ref, kept_host.frame->pixel(pair.feature1), kept_host.frame->rays[pair.feature1], 1});
+    seen2.push_back({ref, pair.pixel2, pair.ray2, pair.sigma_px});
+  }
+  guess_points(kept_host, seen1);
+  guess_points(map_.at(map_.newest_id()), seen2);
 }
 
 // Patches are looked for where the motion before foretells them, a few from afar and then all; where that
@@ -212,7 +222,7 @@ std::optional<FirstPose> MapTracker::find_first_pose(const MapFrame& frame, cons
     return first_pose(matches, predicted_from_before, options);
   };
   const auto visible = points_in_view(map_, keyframes, predicted, camera_, shutter);
-  const auto found = match_in_window(map_, visible, frame, options_.map.window_px);
+  const auto found = match_in_window(map_, settled(visible, 4), frame, options_.map.window_px);
   if (auto pose = attempt(found); pose && 3 * pose->inliers > static_cast<int>(found.size())) return pose;
   std::optional<FirstPose> best;
   for (auto id = keyframes.rbegin(); id != keyframes.rend(); ++id) {
@@ -229,7 +239,9 @@ MapTracker::Placed MapTracker::refine(const MapFrame& frame, const Pose& cam_fro
   placed.pose.cam_from_reference = cam_from_before;
   const Pose world_from_cam = world_from_before_ * cam_from_before.inverse();
   placed.shutter = shutter_of(cam_from_before, frame.time);
-  const auto visible = points_in_view(map_, keyframes, world_from_cam, camera_, placed.shutter);
+  constexpr double kSettledPx = 2;  // half of what patches find
+  const auto visible =
+      settled(points_in_view(map_, keyframes, world_from_cam, camera_, placed.shutter), kSettledPx);
   placed.points = track_map_points(map_, visible, frame, world_from_cam, camera_, coarser, max_points);
   placed.sought = std::min(max_points, static_cast<int>(visible.size()));
   placed.matched = static_cast<int>(placed.points.size());
@@ -290,7 +302,7 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   track.step.inlier_mask.assign(placed.pose.inliers.begin(), placed.pose.inliers.end());
   track.seen = seen_from_before(placed);
   track.seen.has_depth = !frame->depth.empty();
-  const Pose world_from_earlier = world_from_before_;
+  const Pose world_from_earlier = world_from_earlier_ = world_from_before_;
   const Matrix6d own = in_own_axes(placed.pose.own_covariance, cam_from_before);
   track.step.covariance = step_covariance(placed.pose.own_covariance, covariance_before_, cam_from_before);
 
@@ -302,8 +314,9 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   world_from_before_ = track.world_from_cam;
   covariance_before_ = own;
   time_before_ = time_measured_ = frame->time;
-  if (placed.pose.num_inliers < options_.map.keyframe_share * points_at_keyframe_)
-    become_keyframe(frame, track.world_from_cam, &placed);
+  const auto traced = look_for_depth(*frame, placed);
+  if (wants_keyframe(placed))
+    become_keyframe(frame, track.world_from_cam, &placed, traced);
   else if (options_.map.fuse)
     fuse_depth(placed);
   track.world_from_cam = world_from_before_;
@@ -333,7 +346,7 @@ MapTrack MapTracker::missed(std::shared_ptr<MapFrame> frame) {
 }
 
 void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam,
-                                 const Placed* placed) {
+                                 const Placed* placed, const std::vector<TrackedPoint>& traced) {
   describe(*frame, camera_, options_.map);
   Keyframe& keyframe = map_.add(frame, world_from_cam);
   keyframe.shutter = shutter_;
@@ -350,16 +363,94 @@ void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& wo
       map_.point(ref).views.push_back({keyframe.id, match.ray,
                                        std::max(1.0, placed->pose.ray_scale) * match.sigma, match.z,
                                        placed->points[i].ray, row_of(camera_, placed->points[i].pixel.y())});
-      ++seen;
+      seen += map_.point(ref).is_known();
     }
+  for (const TrackedPoint& point : traced) {
+    if (!map_.holds(point.ref.keyframe)) continue;
+    taken.push_back(point);
+    const double row = row_of(camera_, point.pixel.y());
+    map_.point(point.ref).views.push_back(
+        {keyframe.id, keyframe.shutter.at_middle(point.ray, row),
+         std::max(options_.map.least_sigma_px, point.sigma_px) / std::abs(camera_.fx), kUnmeasured, point.ray,
+         row});
+    seen += map_.point(point.ref).is_known();
+  }
   add_points(keyframe, taken);
   const int points_added = static_cast<int>(keyframe.points.size());
   has_points_ |= static_cast<int>(keyframe.points.size()) >= 2 * options_.map.min_inliers;
   const bool has_depth = !frame->depth.empty();
   frame->depth.release();  // its points have it
-  if (placed) grow();
+  if (placed && has_depth) grow();
   if (placed && (options_.map.adjust || !has_depth)) adjust();
+  if (!has_depth) guess_points(map_.at(map_.newest_id()), taken);
   points_at_keyframe_ = std::min(options_.map.points, seen + points_added);
+}
+
+int MapTracker::count_known(const Placed& placed) const {
+  int count = 0;
+  for (std::size_t i = 0; i < placed.points.size(); ++i)
+    count += placed.pose.inliers[i] && map_.point(placed.points[i].ref).is_known();
+  return count;
+}
+
+bool MapTracker::wants_keyframe(const Placed& placed) const {
+  const int known = count_known(placed);
+  if (known < options_.map.keyframe_share * points_at_keyframe_) return true;
+  // By how far the camera's own motion has shifted what it sees since the newest keyframe.
+  const Keyframe& newest = map_.newest();
+  if (newest.frame->has_depth) return false;
+  const Pose newest_from_before = newest.world_from_cam.inverse() * world_from_earlier_;
+  std::vector<double> shifts;
+  for (std::size_t i = 0; i < placed.points.size(); ++i) {
+    const Eigen::Vector3d X = newest_from_before * placed.matches[i].X;
+    if (!placed.pose.inliers[i] || X.z() <= 0) continue;
+    const Eigen::Vector3d turned = world_from_before_.R.transpose() * newest.world_from_cam.R * X,
+                          x = world_from_before_.inverse() * (newest.world_from_cam * X);
+    if (turned.z() > 0 && x.z() > 0)
+      shifts.push_back((turned.head<2>() / turned.z() - x.head<2>() / x.z()).norm());
+  }
+  if (shifts.empty()) return true;
+  const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(shifts.size() / 2);
+  std::nth_element(shifts.begin(), middle, shifts.end());
+  return *middle * std::abs(camera_.fx) > options_.map.keyframe_shift * camera_.width;
+}
+
+// What a frame without depth says of how far the points are that it sees.
+std::vector<TrackedPoint> MapTracker::look_for_depth(const MapFrame& frame, const Placed& placed) {
+  constexpr int kBack = 4;
+  constexpr double kMaxErrorPx = 2, kSurePx = 0.5, kWellKnown = 0.03;
+  if (!frame.depth.empty()) return {};
+  const double focal = std::abs(camera_.fx);
+  const Pose cam_from_world = world_from_before_.inverse();
+  for (std::size_t i = 0; i < placed.points.size(); ++i) {
+    if (!placed.pose.inliers[i]) continue;
+    MapPoint& point = map_.point(placed.points[i].ref);
+    if (point.is_given_up || point.variance < std::pow(kWellKnown * point.inverse_z, 2)) continue;
+    const Pose cam_from_host = cam_from_world * map_.at(placed.points[i].ref.keyframe).world_from_cam;
+    take_in(point, placed.matches[i].ray, std::max(kSurePx, placed.points[i].sigma_px) / focal, cam_from_host,
+            kMaxErrorPx / focal);
+  }
+  std::vector<int> newest;
+  for (int id = std::max(map_.first_id(), map_.newest_id() + 1 - kBack); id <= map_.newest_id(); ++id)
+    newest.push_back(id);
+  std::vector<PointRef> tracked;
+  for (const TrackedPoint& point : placed.points) tracked.push_back(point.ref);
+  return trace_points(map_, newest, tracked, frame, world_from_before_, placed.shutter, camera_);
+}
+
+void MapTracker::guess_points(Keyframe& keyframe, const std::vector<TrackedPoint>& taken) {
+  const Pose cam_from_world = keyframe.world_from_cam.inverse();
+  std::vector<Eigen::Vector2d> places;
+  std::vector<DepthAtPixel> known;
+  for (const TrackedPoint& point : taken) {
+    places.push_back(point.pixel);
+    if (!map_.holds(point.ref.keyframe)) continue;
+    const MapPoint& map_point = map_.point(point.ref);
+    const double z =
+        (cam_from_world * (map_.at(point.ref.keyframe).world_from_cam * map_point.position())).z();
+    if (map_point.is_known() && z > 0) known.push_back({point.pixel, 1 / z});
+  }
+  add_guessed_points(keyframe, places, known, camera_);
 }
 
 // Points that no depth image tells, from the keyframes before.

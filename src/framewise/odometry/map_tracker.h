@@ -63,7 +63,12 @@ class MapTracker {
   MapMatch match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, double sigma_px,
                     const Shutter& shutter) const;
   Shutter shutter_of(const Pose& cam_from_before, double time) const;
-  void become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam, const Placed* placed);
+  void become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam, const Placed* placed,
+                       const std::vector<TrackedPoint>& traced = {});
+  bool wants_keyframe(const Placed& placed) const;
+  int count_known(const Placed& placed) const;
+  std::vector<TrackedPoint> look_for_depth(const MapFrame& frame, const Placed& placed);
+  void guess_points(Keyframe& keyframe, const std::vector<TrackedPoint>& taken);
   void add_points(Keyframe& keyframe, const std::vector<TrackedPoint>& taken);
   void grow();
   void adjust();
@@ -75,7 +80,7 @@ class MapTracker {
   PriorKnowledge known_;
   LocalMap map_;
   MotionFilter motion_;
-  Pose world_from_before_;  // the frame before
+  Pose world_from_before_, world_from_earlier_;  // the frame before, and the one before that
   double time_before_ = 0, time_measured_ = 0;
   Matrix6d covariance_before_ = Matrix6d::Zero();  // in its own axes
   int points_at_keyframe_ = 0;

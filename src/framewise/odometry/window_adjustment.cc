@@ -117,7 +117,7 @@ class Window {
       WindowPoint point{{id, i}, index_of_[id], host.points[i].inverse_z, {}};
       for (int v = 0; v < static_cast<int>(host.points[i].views.size()); ++v)
         if (index_of_.contains(host.points[i].views[v].keyframe)) point.views.push_back(v);
-      if (point.views.empty()) continue;
+      if (point.views.empty() || host.points[i].is_given_up) continue;
       state_.inverse_z.push_back(point.inverse_z);
       points_.push_back(std::move(point));
     }
@@ -235,6 +235,7 @@ class Window {
         }
         kept.push_back(view);
       }
+      point.is_given_up = kept.empty() && !point.views.empty() && point.measured <= 0;
       point.views = std::move(kept);
       if (information > 0) point.variance = 1 / information;
     }
