@@ -80,6 +80,8 @@ void visit_map_options(OdometryOptions& o, Visit&& visit) {
   visit("fuse", o.map.fuse, "map: depth of later frames into the points");
   visit("follow-delay", o.map.follow, "map: depth to where the camera was when it was taken");
   visit("unskew", o.map.unskew, "map: a rolling shutter's rows, by a readout that is learned");
+  visit("learn-lens", o.map.learn_lens,
+        "map: what the calibration leaves of the lens, learned without depth");
   visit("map-features", o.map.features, "map: features of a keyframe");
   visit("map-spread", o.map.spread, "map: features over the image: none, grid or anms");
   visit("keyframe-share", o.map.keyframe_share, "map: one that sees less of the last keyframe becomes one");

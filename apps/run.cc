@@ -68,11 +68,15 @@ std::string chosen_reference(const RunCommand& command, const CLI::App& app, con
                         "--reference frame",
                         name));
   if (command.reference != "auto") return command.reference;
-  const bool has_images =
-      recording.images && recording.images->frames_with_color > 0 && recording.images->frames_with_depth > 0;
+  const bool has_images = recording.images && recording.images->frames_with_color > 0;
   const bool looks_forward = recording.from.calibration.camera.model != CameraModel::kEquirectangular;
   const bool keeps_pairs = !command.archive.empty() || !command.features_folder.empty();
-  const bool maps = has_images && looks_forward && !keeps_pairs && method_options_chosen(app).empty();
+  // Without depth, what the length of the first motion is may be said of a map as well.
+  std::vector<std::string> chosen = method_options_chosen(app);
+  const std::string& scale = command.odometry.scale;
+  if (recording.from.frames_with_depth == 0 && (scale == "none" || scale == "truth"))
+    std::erase(chosen, "scale");
+  const bool maps = has_images && looks_forward && !keeps_pairs && chosen.empty();
   return maps ? "map" : "frame";
 }
 

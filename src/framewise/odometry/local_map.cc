@@ -60,6 +60,22 @@ Keyframe& LocalMap::add(std::shared_ptr<const MapFrame> frame, const Pose& world
   return keyframes_.back();
 }
 
+void LocalMap::set_camera(const Camera& from, const Camera& to) {
+  for (Keyframe& keyframe : keyframes_) {
+    auto frame = std::make_shared<MapFrame>(*keyframe.frame);
+    for (int i = 0; i < static_cast<int>(frame->rays.size()); ++i)
+      if (const auto ray = plane_ray(to, frame->pixel(i))) frame->rays[i] = *ray;
+    keyframe.frame = std::move(frame);
+    for (MapPoint& point : keyframe.points)
+      for (PointView& view : point.views) {
+        const auto pixel = from.project(view.seen);
+        const auto ray = pixel ? plane_ray(to, *pixel) : std::nullopt;
+        if (ray) view.seen = *ray;
+      }
+  }
+  if (!keyframes_.empty()) set_readout(keyframes_.front().shutter.readout, to);
+}
+
 void LocalMap::set_readout(double readout, const Camera& camera) {
   for (Keyframe& keyframe : keyframes_) keyframe.shutter.readout = readout;
   for (Keyframe& host : keyframes_)

@@ -82,6 +82,8 @@ class LocalMap {
   MapPoint& point(const PointRef& ref) { return at(ref.keyframe).points[ref.point]; }
   const MapPoint& point(const PointRef& ref) const { return at(ref.keyframe).points[ref.point]; }
 
+  // Makes all rays anew for a camera that turned out to be another one.
+  void set_camera(const Camera& from, const Camera& to);
   // Turns all rays to the middle rows anew.
   void set_readout(double readout, const Camera& camera);
 

@@ -14,6 +14,7 @@
 namespace framewise {
 namespace {
 
+constexpr double kLensShare = 0.02;  // of what a window says of the lens (learn_lens)
 constexpr double kUnmeasured = std::numeric_limits<double>::quiet_NaN();
 
 // Of cam2_from_cam1's tangent: what a camera 2 that is at fault by so much is told to be, in its own axes.
@@ -97,12 +98,42 @@ MapTrack MapTracker::start_without_depth(std::shared_ptr<MapFrame> frame) {
   motion_.start(frame->time, track.world_from_cam);
   time_before_ = time_measured_ = frame->time;
   const bool sees_little = two_views.inliers < options.min_pairs;
-  if (!has_points_ && sees_little) become_keyframe(frame, track.world_from_cam, nullptr);
+  if (!has_points_ && sees_little) {
+    become_keyframe(frame, track.world_from_cam, nullptr);
+    waiting_.clear();
+  }
+  constexpr std::size_t kMostWaiting = 64;  // images that are kept
   remember(*frame, track.world_from_cam);
+  if (has_points_) {
+    place_waiting();
+  } else if (waiting_.size() < kMostWaiting) {
+    waiting_.push_back({trajectory_.size() - 1, frame});
+  }
   return track;
 }
 
+// Frames that came before there was a map, as it has them: for the final poses.
+void MapTracker::place_waiting() {
+  const int newest = map_.newest_id(), first = newest - 1;
+  const Pose world_from_first = map_.at(first).world_from_cam;
+  const double start = map_.at(first).frame->time, seconds = map_.at(newest).frame->time - start;
+  for (const auto& [index, frame] : waiting_) {
+    const double share = seconds > 0 ? std::clamp((frame->time - start) / seconds, 0.0, 1.0) : 0;
+    const Anchored& turned = trajectory_[index];
+    Pose guess = map_.last_pose_of(turned.keyframe) * turned.keyframe_from_cam;
+    guess.t = world_from_first.t + share * (map_.newest().world_from_cam.t - world_from_first.t);
+    const Placed placed =
+        refine(*frame, guess.inverse() * world_from_before_, {first, newest}, 2, options_.map.points);
+    if (!is_credible(placed)) continue;
+    const Pose world_from_cam = world_from_before_ * placed.pose.cam_from_reference.inverse();
+    trajectory_[index] = {first, world_from_first.inverse() * world_from_cam};
+  }
+  waiting_.clear();
+}
+
+// A new part of the map goes on as fast as the last one ended.
 double MapTracker::first_length(const MapFrame& frame1, const MapFrame& frame2) const {
+  if (const double length = speed_ * (frame2.time - frame1.time); length > 0) return length;
   if (options_.scale != "truth" || !known_.truth) return 1;
   const auto pose1 = known_.truth(frame1.index), pose2 = known_.truth(frame2.index);
   const double length = pose1 && pose2 ? (pose2->t - pose1->t).norm() : 0;
@@ -303,6 +334,7 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   track.seen = seen_from_before(placed);
   track.seen.has_depth = !frame->depth.empty();
   const Pose world_from_earlier = world_from_earlier_ = world_from_before_;
+  const double dt = frame->time - time_before_;
   const Matrix6d own = in_own_axes(placed.pose.own_covariance, cam_from_before);
   track.step.covariance = step_covariance(placed.pose.own_covariance, covariance_before_, cam_from_before);
 
@@ -314,6 +346,7 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   world_from_before_ = track.world_from_cam;
   covariance_before_ = own;
   time_before_ = time_measured_ = frame->time;
+  if (dt > 0) speed_ = (world_from_before_.t - world_from_earlier.t).norm() / dt;
   const auto traced = look_for_depth(*frame, placed);
   if (wants_keyframe(placed))
     become_keyframe(frame, track.world_from_cam, &placed, traced);
@@ -336,8 +369,8 @@ MapTrack MapTracker::missed(std::shared_ptr<MapFrame> frame) {
   time_before_ = frame->time;
   // What is not found again is a new place: a map goes on from where the camera is believed to be.
   constexpr int kEnoughToSee = 200;
-  if (track.step.status == Status::kLost && !frame->depth.empty() &&
-      static_cast<int>(frame->rays.size()) >= kEnoughToSee) {
+  if (track.step.status == Status::kLost && static_cast<int>(frame->rays.size()) >= kEnoughToSee) {
+    has_points_ = frame->has_depth;
     become_keyframe(frame, track.world_from_cam, nullptr);
     time_measured_ = frame->time;
   }
@@ -471,10 +504,28 @@ void MapTracker::adjust() {
   for (const int id : ids) (id > newest - kMoving && id > ids.front() ? moving : still).push_back(id);
   WindowOptions options;
   options.depth_noise = options_.depth_noise;
-  adjust_window(map_, moving, still, options);
+  const bool learns_lens = options_.map.learn_lens && camera_.model == CameraModel::kPinhole;
+  if (learns_lens) options.lens_information = lens_information_ / kLensShare;
+  const WindowSummary window = adjust_window(map_, moving, still, options);
+  if (learns_lens) learn_lens(window);
   const Pose& after = map_.newest().world_from_cam;
   motion_.correct(after * before.inverse());
   world_from_before_ = after;
+}
+
+// What windows say of the lens is taken as they share most of their views with the ones before, and as what
+// else they leave is alike in neighbours: they count for a share of what they hold.
+//   How far calibrations are off: Cvišić, Marković, Petrović, Recalibrating the KITTI dataset camera setup
+//   for improved odometry accuracy, ECMR 2021.
+void MapTracker::learn_lens(const WindowSummary& window) {
+  constexpr double kMost = 1 / (0.0005 * 0.0005);  // it may still be learned anew
+  constexpr double kNothing = 2e-5;                // a hundredth of a pixel at a corner
+  lens_information_ = std::min(kMost, std::max(lens_information_, kLensShare * window.lens_information));
+  if (!(std::abs(window.lens_correction) > kNothing)) return;
+  Camera learned = camera_;
+  learned.distortion[0] += window.lens_correction;
+  map_.set_camera(camera_, learned);
+  camera_ = learned;
 }
 
 // What a frame's depth says of the points it sees, until it is known as well as that: depth errors of one

@@ -14,6 +14,7 @@
 #include "framewise/odometry/odometer.h"
 #include "framewise/odometry/step.h"
 #include "framewise/odometry/two_view_start.h"
+#include "framewise/odometry/window_adjustment.h"
 
 namespace framewise {
 
@@ -50,6 +51,7 @@ class MapTracker {
   MapTrack start(std::shared_ptr<MapFrame> frame);
   MapTrack start_without_depth(std::shared_ptr<MapFrame> frame);
   void build_from_two_views(std::shared_ptr<MapFrame> frame, TwoViewStart& two_views);
+  void place_waiting();
   double first_length(const MapFrame& frame1, const MapFrame& frame2) const;
   MapTrack measured(std::shared_ptr<MapFrame> frame, const Placed& placed);
   MapTrack missed(std::shared_ptr<MapFrame> frame);
@@ -72,6 +74,7 @@ class MapTracker {
   void add_points(Keyframe& keyframe, const std::vector<TrackedPoint>& taken);
   void grow();
   void adjust();
+  void learn_lens(const WindowSummary& window);
   void fuse_depth(const Placed& placed);
   void remember(const MapFrame& frame, const Pose& world_from_cam);
 
@@ -85,9 +88,11 @@ class MapTracker {
   Matrix6d covariance_before_ = Matrix6d::Zero();  // in its own axes
   int points_at_keyframe_ = 0;
   ReadoutEstimate readout_;
-  Shutter shutter_;  // of the newest frame
+  double lens_information_ = 1 / (0.02 * 0.02);  // of k1: what calibrations leave of it
+  Shutter shutter_;                              // of the newest frame
   // Of the frames before: when, and how they were turned.
   std::deque<std::pair<double, Eigen::Matrix3d>> turned_;
+  double speed_ = 0;         // of the camera, when it was last measured (m/s, or the map's unit)
   bool has_points_ = false;  // the map has a length and can be tracked against
 
   // Of every frame: the keyframe it is told by.
@@ -96,6 +101,8 @@ class MapTracker {
     Pose keyframe_from_cam;
   };
   std::vector<Anchored> trajectory_;
+  // Frames that a map without depth has begun after, by their place in the trajectory.
+  std::vector<std::pair<std::size_t, std::shared_ptr<const MapFrame>>> waiting_;
 };
 
 }  // namespace framewise

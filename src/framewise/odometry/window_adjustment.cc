@@ -28,6 +28,7 @@ struct WindowPoint {
 struct WindowState {
   std::vector<Pose> poses;  // world_from_cam of the moving keyframes, then of the still ones
   std::vector<double> inverse_z;
+  double lens = 0;  // correction of k1
 };
 
 // A view's residuals in standard deviations, with their derivatives by the host's pose, the viewer's and the
@@ -35,14 +36,22 @@ struct WindowState {
 struct ViewTerms {
   Eigen::Vector3d r = Eigen::Vector3d::Zero();
   Jacobian J_host, J_viewer;
-  Eigen::Vector3d J_inverse_z;
+  Eigen::Vector3d J_inverse_z, J_lens;
   bool is_in_front = false;
 };
 
-ViewTerms view_terms(const MapPoint& point, double inverse_z, const PointView& view, const Pose& host,
-                     const Pose& viewer, const DepthNoise& noise) {
+// Of a ray on the plane z = 1, by k1.
+Eigen::Vector3d ray_by_lens(const Eigen::Vector3d& ray) {
+  const double r2 = ray.head<2>().squaredNorm();
+  return {-r2 * ray.x(), -r2 * ray.y(), 0};
+}
+
+ViewTerms view_terms(const MapPoint& point, double inverse_z, double lens, const PointView& view,
+                     const Pose& host, const Pose& viewer, const DepthNoise& noise) {
   ViewTerms terms;
-  const Eigen::Vector3d X_host = point.ray / inverse_z;
+  const Eigen::Vector3d host_by_lens = ray_by_lens(point.ray), seen_by_lens = ray_by_lens(view.ray);
+  const Eigen::Vector3d X_host = (point.ray + lens * host_by_lens) / inverse_z;
+  const Eigen::Vector3d seen = view.ray + lens * seen_by_lens;
   const Eigen::Matrix3d viewer_from_world = viewer.R.transpose();
   const Eigen::Vector3d X = viewer_from_world * (host * X_host - viewer.t);
   terms.is_in_front = X.z() > 1e-3;
@@ -50,7 +59,7 @@ ViewTerms view_terms(const MapPoint& point, double inverse_z, const PointView& v
   const double iz = 1 / X.z(), weight = 1 / view.sigma;
   const bool has_depth = view.z > 0;
   const double depth_weight = has_depth ? 1 / noise.sigma(view.z) : 0;
-  terms.r << weight * (X.x() * iz - view.ray.x()), weight * (X.y() * iz - view.ray.y()),
+  terms.r << weight * (X.x() * iz - seen.x()), weight * (X.y() * iz - seen.y()),
       has_depth ? depth_weight * (X.z() - view.z) : 0;
   Eigen::Matrix3d P;
   P << weight * iz, 0, -weight * X.x() * iz * iz, 0, weight * iz, -weight * X.y() * iz * iz, 0, 0,
@@ -59,6 +68,7 @@ ViewTerms view_terms(const MapPoint& point, double inverse_z, const PointView& v
   terms.J_host << -P * viewer_from_host * skew(X_host), P * viewer_from_world;
   terms.J_viewer << P * skew(X), -P * viewer_from_world;
   terms.J_inverse_z = -P * viewer_from_host * X_host / inverse_z;
+  terms.J_lens = P * viewer_from_host * host_by_lens / inverse_z - weight * seen_by_lens;
   return terms;
 }
 
@@ -106,6 +116,7 @@ class Window {
       }
     }
     summary.cost = cost;
+    if (has_lens()) summary.lens_correction = state_.lens, summary.lens_information = lens_information();
     store();
     return summary;
   }
@@ -123,6 +134,7 @@ class Window {
     }
   }
 
+  bool has_lens() const { return options_.lens_information >= 0; }
   int index_of(const PointView& view) const { return index_of_.at(view.keyframe); }
 
   double cost_of(const WindowState& state) const {
@@ -131,84 +143,132 @@ class Window {
       const MapPoint& point = map_.point(points_[i].ref);
       for (const int v : points_[i].views) {
         const PointView& view = point.views[v];
-        const ViewTerms terms = view_terms(point, state.inverse_z[i], view, state.poses[points_[i].host],
-                                           state.poses[index_of(view)], options_.depth_noise);
+        const ViewTerms terms =
+            view_terms(point, state.inverse_z[i], state.lens, view, state.poses[points_[i].host],
+                       state.poses[index_of(view)], options_.depth_noise);
         cost += terms.is_in_front ? robust_.price(terms.r.squaredNorm()) : robust_.price(1e6);
       }
       const double d = state.inverse_z[i] - point.measured;
       cost += robust_.price(d * d * point.information);
     }
+    if (has_lens()) cost += options_.lens_information * state.lens * state.lens;
     return cost;
   }
 
-  // One Levenberg-Marquardt step: the points' own numbers are eliminated one by one.
-  WindowState stepped(double damping, double& promised) const {
-    const int size = 6 * moving_;
-    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(size);
-    struct Elimination {
-      double h = 0, g = 0;
-      std::vector<std::pair<int, Vector6d>> of_poses;
-    };
-    std::vector<Elimination> eliminated(points_.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const WindowPoint& window_point = points_[i];
-      const MapPoint& point = map_.point(window_point.ref);
-      Elimination& own = eliminated[i];
-      const auto add_to = [&](int pose, const Vector6d& h) {
-        for (auto& [known, sum] : own.of_poses)
-          if (known == pose) return void(sum += h);
+  // What a point's own number has to do with the rest.
+  struct Elimination {
+    double h = 0, g = 0, of_lens = 0;
+    std::vector<std::pair<int, Vector6d>> of_poses;
+  };
+
+  // Of the moving poses and then the lens, the points' own numbers eliminated one by one.
+  struct NormalEquations {
+    Eigen::MatrixXd H;
+    Eigen::VectorXd g;
+    std::vector<Elimination> eliminated;
+
+    NormalEquations(int size, std::size_t points)
+        : H(Eigen::MatrixXd::Zero(size, size)), g(Eigen::VectorXd::Zero(size)), eliminated(points) {}
+  };
+
+  int size() const { return 6 * moving_ + has_lens(); }
+
+  void add_view(const WindowPoint& window_point, std::size_t index, int v, NormalEquations& n) const {
+    const MapPoint& point = map_.point(window_point.ref);
+    const PointView& view = point.views[v];
+    Elimination& own = n.eliminated[index];
+    const int host = window_point.host, viewer = index_of(view);
+    const ViewTerms t = view_terms(point, state_.inverse_z[index], state_.lens, view, state_.poses[host],
+                                   state_.poses[viewer], options_.depth_noise);
+    if (!t.is_in_front) return;
+    const double w = robust_.weight(t.r.squaredNorm());
+    own.h += w * t.J_inverse_z.squaredNorm();
+    own.g += w * t.J_inverse_z.dot(t.r);
+    const int lens = 6 * moving_;
+    const auto add_pose = [&](int pose, const Jacobian& J) {
+      n.H.block<6, 6>(6 * pose, 6 * pose) += w * J.transpose() * J;
+      n.g.segment<6>(6 * pose) += w * J.transpose() * t.r;
+      const Vector6d h = w * J.transpose() * t.J_inverse_z;
+      const auto known = std::find_if(own.of_poses.begin(), own.of_poses.end(),
+                                      [&](const auto& of_pose) { return of_pose.first == pose; });
+      if (known == own.of_poses.end()) {
         own.of_poses.emplace_back(pose, h);
-      };
+      } else {
+        known->second += h;
+      }
+      if (has_lens()) n.H.block<6, 1>(6 * pose, lens) += w * J.transpose() * t.J_lens;
+    };
+    if (host < moving_) add_pose(host, t.J_host);
+    if (viewer < moving_) add_pose(viewer, t.J_viewer);
+    if (host < moving_ && viewer < moving_) {
+      const Matrix6d cross = w * t.J_host.transpose() * t.J_viewer;
+      n.H.block<6, 6>(6 * host, 6 * viewer) += cross;
+      n.H.block<6, 6>(6 * viewer, 6 * host) += cross.transpose();
+    }
+    if (!has_lens()) return;
+    n.H(lens, lens) += w * t.J_lens.squaredNorm();
+    n.g[lens] += w * t.J_lens.dot(t.r);
+    own.of_lens += w * t.J_lens.dot(t.J_inverse_z);
+  }
+
+  void eliminate(Elimination& own, double damping, NormalEquations& n) const {
+    own.h = std::max(own.h, 1e-12) * (1 + damping);
+    const int lens = 6 * moving_;
+    for (const auto& [a, ha] : own.of_poses) {
+      n.g.segment<6>(6 * a) -= ha * (own.g / own.h);
+      for (const auto& [b, hb] : own.of_poses) n.H.block<6, 6>(6 * a, 6 * b) -= ha * hb.transpose() / own.h;
+      if (has_lens()) n.H.block<6, 1>(6 * a, lens) -= ha * (own.of_lens / own.h);
+    }
+    if (!has_lens()) return;
+    n.H(lens, lens) -= own.of_lens * own.of_lens / own.h;
+    n.g[lens] -= own.of_lens * own.g / own.h;
+  }
+
+  NormalEquations normal_equations(double damping) const {
+    NormalEquations n(size(), points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const MapPoint& point = map_.point(points_[i].ref);
       const double d = state_.inverse_z[i] - point.measured;
       const double prior = point.information * robust_.weight(d * d * point.information);
-      own.h = prior, own.g = prior * d;
-      for (const int v : window_point.views) {
-        const PointView& view = point.views[v];
-        const int host = window_point.host, viewer = index_of(view);
-        const ViewTerms t = view_terms(point, state_.inverse_z[i], view, state_.poses[host],
-                                       state_.poses[viewer], options_.depth_noise);
-        if (!t.is_in_front) continue;
-        const double w = robust_.weight(t.r.squaredNorm());
-        own.h += w * t.J_inverse_z.squaredNorm();
-        own.g += w * t.J_inverse_z.dot(t.r);
-        const bool host_moves = host < moving_, viewer_moves = viewer < moving_;
-        if (host_moves) {
-          H.block<6, 6>(6 * host, 6 * host) += w * t.J_host.transpose() * t.J_host;
-          g.segment<6>(6 * host) += w * t.J_host.transpose() * t.r;
-          add_to(host, w * t.J_host.transpose() * t.J_inverse_z);
-        }
-        if (viewer_moves) {
-          H.block<6, 6>(6 * viewer, 6 * viewer) += w * t.J_viewer.transpose() * t.J_viewer;
-          g.segment<6>(6 * viewer) += w * t.J_viewer.transpose() * t.r;
-          add_to(viewer, w * t.J_viewer.transpose() * t.J_inverse_z);
-        }
-        if (host_moves && viewer_moves) {
-          const Matrix6d cross = w * t.J_host.transpose() * t.J_viewer;
-          H.block<6, 6>(6 * host, 6 * viewer) += cross;
-          H.block<6, 6>(6 * viewer, 6 * host) += cross.transpose();
-        }
-      }
-      own.h = std::max(own.h, 1e-12) * (1 + damping);
-      for (const auto& [a, ha] : own.of_poses) {
-        g.segment<6>(6 * a) -= ha * (own.g / own.h);
-        for (const auto& [b, hb] : own.of_poses) H.block<6, 6>(6 * a, 6 * b) -= ha * hb.transpose() / own.h;
-      }
+      n.eliminated[i].h = prior, n.eliminated[i].g = prior * d;
+      for (const int v : points_[i].views) add_view(points_[i], i, v, n);
+      eliminate(n.eliminated[i], damping, n);
     }
-    H.diagonal().array() *= 1 + damping;
-    H.diagonal().array() += 1e-9;
-    const Eigen::VectorXd step = H.ldlt().solve(-g);
+    if (has_lens()) {
+      const int lens = 6 * moving_;
+      n.H(lens, lens) += options_.lens_information;
+      n.g[lens] += options_.lens_information * state_.lens;
+      n.H.row(lens) = n.H.col(lens).transpose();
+    }
+    n.H.diagonal().array() *= 1 + damping;
+    n.H.diagonal().array() += 1e-9;
+    return n;
+  }
 
+  // With the poses free to follow.
+  double lens_information() const {
+    const NormalEquations n = normal_equations(0);
+    const Eigen::VectorXd column = n.H.ldlt().solve(Eigen::VectorXd::Unit(size(), size() - 1));
+    return column[size() - 1] > 0 ? 1 / column[size() - 1] : 0;
+  }
+
+  // One Levenberg-Marquardt step.
+  WindowState stepped(double damping, double& promised) const {
+    const NormalEquations n = normal_equations(damping);
+    const Eigen::VectorXd step = n.H.ldlt().solve(-n.g);
     WindowState next = state_;
-    promised = -g.dot(step);
+    promised = -n.g.dot(step);
     for (int k = 0; k < moving_; ++k) {
       next.poses[k].R = nearest_rotation(state_.poses[k].R * so3_exp(step.segment<3>(6 * k)));
       next.poses[k].t += step.segment<3>(6 * k + 3);
     }
+    const double lens_step = has_lens() ? step[6 * moving_] : 0;
+    next.lens += lens_step;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      double pull = eliminated[i].g;
-      for (const auto& [pose, h] : eliminated[i].of_poses) pull += h.dot(step.segment<6>(6 * pose));
-      const double moved = state_.inverse_z[i] - pull / eliminated[i].h;
+      const Elimination& own = n.eliminated[i];
+      double pull = own.g + own.of_lens * lens_step;
+      for (const auto& [pose, h] : own.of_poses) pull += h.dot(step.segment<6>(6 * pose));
+      const double moved = state_.inverse_z[i] - pull / own.h;
       next.inverse_z[i] = std::clamp(moved, 0.3 * state_.inverse_z[i], 3 * state_.inverse_z[i]);
     }
     return next;
@@ -228,8 +288,9 @@ class Window {
         const bool has_part = next < points_[i].views.size() && points_[i].views[next] == v;
         next += has_part;
         if (has_part) {
-          const ViewTerms terms = view_terms(point, point.inverse_z, view, state_.poses[points_[i].host],
-                                             state_.poses[index_of(view)], options_.depth_noise);
+          const ViewTerms terms =
+              view_terms(point, point.inverse_z, state_.lens, view, state_.poses[points_[i].host],
+                         state_.poses[index_of(view)], options_.depth_noise);
           if (!terms.is_in_front || terms.r.head<2>().squaredNorm() > kMaxSquare) continue;
           information += terms.J_inverse_z.squaredNorm();
         }
