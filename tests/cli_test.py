@@ -1173,6 +1173,17 @@ class Datasets(Recording):
         self.assertAlmostEqual(json.loads(result.stdout)["ate"]["rmse"], own["ate"]["rmse"], 9)
         self.refuses(framewise("evaluate", self.data / "rgb", self.out / "trajectory.tum"), "no truth")
 
+    def test_without_depth_a_map_is_the_default_and_its_scale_is_its_own(self):
+        folder = self.make_kitti()
+        for options, reference, alignment in (((), "map", "sim3"), (("--scale", "truth"), "map", "se3"),
+                                              (("--solver", "nister-5pt", "--scale", "none"), "frame", "sim3")):
+            result = framewise("run", folder, "--out", self.out, "--json", *options)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            run = json.loads(result.stdout)
+            self.assertEqual(run["options"]["reference"], reference)
+            self.assertEqual(run["evaluation"]["alignment"], alignment)
+        self.refuses(framewise("run", folder, "--out", self.out, "--scale", "first-pair"), "depth")
+
     def test_a_folder_of_images_needs_a_camera(self):
         images = self.data / "rgb"
         self.refuses(framewise("run", images, "--out", self.out, "--solver", "nister-5pt", "--scale", "none"), "--camera")

@@ -55,7 +55,9 @@ MapTracker::MapTracker(const Camera& camera, const OdometryOptions& options, Pri
 MapTrack MapTracker::add(std::shared_ptr<MapFrame> frame) {
   if (map_.empty()) return start(std::move(frame));
   if (!has_points_) return start_without_depth(std::move(frame));
-  const auto placed = place(*frame, motion_.predict(frame->time));
+  auto placed = place(*frame, motion_.predict(frame->time));
+  const bool was_missed = time_before_ > time_measured_;
+  if (!placed && was_missed) placed = place(*frame, steady_.predict(frame->time));
   return placed ? measured(std::move(frame), *placed) : missed(std::move(frame));
 }
 
@@ -253,8 +255,13 @@ std::optional<FirstPose> MapTracker::find_first_pose(const MapFrame& frame, cons
     return first_pose(matches, predicted_from_before, options);
   };
   const auto visible = points_in_view(map_, keyframes, predicted, camera_, shutter);
-  const auto found = match_in_window(map_, settled(visible, 4), frame, options_.map.window_px);
-  if (auto pose = attempt(found); pose && 3 * pose->inliers > static_cast<int>(found.size())) return pose;
+  constexpr double kSettledPx = 4, kWider = 4;
+  const auto known = settled(visible, kSettledPx);
+  const auto near = match_in_window(map_, known, frame, options_.map.window_px);
+  if (auto pose = attempt(near); pose && 3 * pose->inliers > static_cast<int>(near.size())) return pose;
+  // Where the camera began or ended to turn since the frame before.
+  const auto wide = match_in_window(map_, known, frame, kWider * options_.map.window_px);
+  if (auto pose = attempt(wide); pose && pose->inliers > 2 * options.min_inliers) return pose;
   std::optional<FirstPose> best;
   for (auto id = keyframes.rbegin(); id != keyframes.rend(); ++id) {
     const auto pose = attempt(match_anywhere(map_.at(*id), frame));
@@ -354,6 +361,7 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
     fuse_depth(placed);
   track.world_from_cam = world_from_before_;
   track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_earlier;
+  steady_ = motion_;
   remember(*frame, track.world_from_cam);
   return track;
 }

@@ -83,6 +83,7 @@ class MapTracker {
   PriorKnowledge known_;
   LocalMap map_;
   MotionFilter motion_;
+  MotionFilter steady_{false};  // as it was at the last measured frame: vehicles do not stop in the dark
   Pose world_from_before_, world_from_earlier_;  // the frame before, and the one before that
   double time_before_ = 0, time_measured_ = 0;
   Matrix6d covariance_before_ = Matrix6d::Zero();  // in its own axes

@@ -91,6 +91,38 @@ TEST(AdjustWindow, WrongViewsAreTakenOutAndDoNotPull) {
     EXPECT_EQ(map.at(0).points[i].views.size(), i < 6 ? kKeyframes - 2u : kKeyframes - 1u) << i;
 }
 
+// All rays as a lens bends them that is not the one they are taken for.
+LocalMap bent_map(double k1) {
+  LocalMap map = exact_map(true);
+  const auto bend = [&](Eigen::Vector3d& ray) { ray.head<2>() *= 1 + k1 * ray.head<2>().squaredNorm(); };
+  for (MapPoint& point : map.at(0).points) {
+    bend(point.ray);
+    for (PointView& view : point.views) bend(view.ray);
+  }
+  return map;
+}
+
+TEST(AdjustWindow, LearnsWhatTheLensBendsAndPosesAreThoseOfTheTruth) {
+  LocalMap map = bent_map(0.01);
+  WindowOptions options;
+  options.max_iterations = 30;
+  options.tolerance = 1e-12;
+  options.lens_information = 1;
+  const WindowSummary summary = adjust_window(map, {1, 2, 3}, {0}, options);
+  EXPECT_NEAR(summary.lens_correction, 0.01, 3e-4);  // the bend's square is left
+  EXPECT_GT(summary.lens_information, 1);
+  EXPECT_LT(worst_position(map), 1e-3);
+}
+
+TEST(AdjustWindow, ALensThatIsWellKnownStaysAsItIs) {
+  LocalMap map = bent_map(0.01);
+  WindowOptions options;
+  options.lens_information = 1e14;
+  EXPECT_NEAR(adjust_window(map, {1, 2, 3}, {0}, options).lens_correction, 0, 1e-5);
+  LocalMap as_said = bent_map(0.01);
+  EXPECT_EQ(adjust_window(as_said, {1, 2, 3}, {0}).lens_correction, 0);
+}
+
 TEST(AdjustWindow, StillKeyframesStayAndNothingToDoIsNoCrash) {
   LocalMap map = exact_map(true);
   disturb(map);
