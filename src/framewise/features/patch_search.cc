@@ -52,9 +52,10 @@ std::optional<Eigen::Vector2d> search_patch(const ImageLevels& image1, const Ima
   const int at = static_cast<int>(best - correlations.begin());
   const int apart =
       std::max(2, static_cast<int>(std::ceil(3.0f * static_cast<float>(steps) / std::max(1.0f, length))));
+  constexpr float kNoise = 0.01f;  // no two images of one thing are more alike
+  const double alike = options.min_distinction * (1 - *best) + kNoise;
   for (int i = 0; i <= steps; ++i)
-    if (std::abs(i - at) > apart && (1 - correlations[i]) < options.min_distinction * (1 - *best))
-      return std::nullopt;
+    if (std::abs(i - at) > apart && 1 - correlations[i] < alike) return std::nullopt;
   const double share = static_cast<double>(at) / steps;
   return warp.pixel2 + share * (end - warp.pixel2);
 }

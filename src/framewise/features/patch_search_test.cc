@@ -12,10 +12,10 @@ namespace {
 
 // Nothing in it is twice.
 cv::Mat noise_image() {
-  cv::Mat coarse(60, 80, CV_8U), gray;
+  cv::Mat coarse(120, 160, CV_8U), gray;
   cv::RNG rng(5);
   rng.fill(coarse, cv::RNG::UNIFORM, 0, 256);
-  cv::resize(coarse, gray, {}, 4, 4, cv::INTER_CUBIC);
+  cv::resize(coarse, gray, {}, 2, 2, cv::INTER_CUBIC);
   return gray;
 }
 
