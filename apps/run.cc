@@ -211,7 +211,10 @@ Json resolved_options(const RunCommand& command, const Recording& recording) {
 
 int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
   if (!command.config.empty()) apply_config(app, command.config);
-  if (command.reference == "map") command.odometry.reference = "map";
+  // Whether a scale alone is of a map or of a method, the recording's depth decides.
+  const bool says_scale_alone =
+      command.reference == "auto" && method_options_chosen(app) == std::vector<std::string>{"scale"};
+  if (command.reference == "map" || says_scale_alone) command.odometry.reference = "map";
   command.odometry.check();
   const Recording recording = open_recording(command.path, command.dataset);
   if (recording.archive) apply_archive(app, recording, command.odometry);
