@@ -99,7 +99,8 @@ MapTrack MapTracker::start_without_depth(std::shared_ptr<MapFrame> frame) {
   covariance_before_.setZero();
   motion_.start(frame->time, track.world_from_cam);
   time_before_ = time_measured_ = frame->time;
-  const bool sees_little = two_views.inliers < options.min_pairs;
+  // Before they have too little in common to tell a turn.
+  const bool sees_little = two_views.inliers < 3 * options.min_pairs;
   if (!has_points_ && sees_little) {
     become_keyframe(frame, track.world_from_cam, nullptr);
     waiting_.clear();
