@@ -81,6 +81,14 @@ RayTracer::RayTracer(const Scene& scene) : scene_(scene), accelerator_(std::make
   tbb::task_arena(1).execute([&] { rtcJoinCommitScene(accelerator_->scene); });
   if (const RTCError error = rtcGetDeviceError(accelerator_->device); error != RTC_ERROR_NONE)
     throw std::runtime_error("Embree cannot build the scene (error " + std::to_string(error) + ")");
+  planes_.reserve(scene.triangles.size());
+  for (const auto& corner : scene.triangles) {
+    const Eigen::Vector3d a = scene.vertices[corner[0]].position.cast<double>();
+    const Eigen::Vector3d b = scene.vertices[corner[1]].position.cast<double>();
+    const Eigen::Vector3d c = scene.vertices[corner[2]].position.cast<double>();
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    planes_.push_back({normal, normal.dot(a)});
+  }
 }
 
 RayTracer::~RayTracer() = default;
@@ -109,7 +117,8 @@ std::uint8_t RayTracer::occluded(const Rays8& rays) const {
   return mask;
 }
 
-SurfacePoint RayTracer::surface_point(std::uint32_t triangle, float weight1, float weight2) const {
+SurfacePoint RayTracer::surface_point(const Hit& hit) const {
+  const auto& [triangle, t, weight1, weight2] = hit;
   const auto& corner = scene_.triangles[triangle];
   const Vertex &a = scene_.vertices[corner[0]], &b = scene_.vertices[corner[1]],
                &c = scene_.vertices[corner[2]];
@@ -124,14 +133,22 @@ SurfacePoint RayTracer::surface_point(std::uint32_t triangle, float weight1, flo
   return point;
 }
 
+// Möller, Trumbore, Fast, minimum storage ray-triangle intersection, JGT 1997.
+Hit RayTracer::meet_plane(std::uint32_t triangle, const Eigen::Vector3f& origin,
+                          const Eigen::Vector3f& direction) const {
+  const auto& corner = scene_.triangles[triangle];
+  const Eigen::Vector3f& a = scene_.vertices[corner[0]].position;
+  const Eigen::Vector3f edge1 = scene_.vertices[corner[1]].position - a,
+                        edge2 = scene_.vertices[corner[2]].position - a, from_a = origin - a;
+  const Eigen::Vector3f p = direction.cross(edge2), q = from_a.cross(edge1);
+  const float scale = 1 / edge1.dot(p);
+  return {triangle, scale * edge2.dot(q), scale * from_a.dot(p), scale * direction.dot(q)};
+}
+
 double RayTracer::exact_t(std::uint32_t triangle, const Eigen::Vector3d& origin,
                           const Eigen::Vector3d& direction) const {
-  const auto& corner = scene_.triangles[triangle];
-  const Eigen::Vector3d a = scene_.vertices[corner[0]].position.cast<double>();
-  const Eigen::Vector3d b = scene_.vertices[corner[1]].position.cast<double>();
-  const Eigen::Vector3d c = scene_.vertices[corner[2]].position.cast<double>();
-  const Eigen::Vector3d normal = (b - a).cross(c - a);
-  return normal.dot(a - origin) / normal.dot(direction);
+  const auto& [normal, offset] = planes_[triangle];
+  return (offset - normal.dot(origin)) / normal.dot(direction);
 }
 
 }  // namespace framewise

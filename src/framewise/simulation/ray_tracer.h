@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "framewise/simulation/scene.h"
 
@@ -22,10 +23,17 @@ struct alignas(32) Rays8 {
   void switch_off(int i) { set(i, {0, 0, 0}, {0, 0, 1}, 1, 0); }
 };
 
+struct Hit {
+  std::uint32_t triangle;
+  float t, weight1, weight2;
+};
+
 // The first triangle each ray meets, kNoHit where none; where in it (weights of its second and third corner).
 struct Hits8 {
   std::array<std::uint32_t, 8> triangle;
   std::array<float, 8> t, weight1, weight2;
+
+  Hit operator[](int i) const { return {triangle[i], t[i], weight1[i], weight2[i]}; }
 };
 
 // What a ray met, interpolated from the corners of the triangle.
@@ -54,16 +62,25 @@ class RayTracer {
   // Bit i is set where ray i meets something.
   std::uint8_t occluded(const Rays8& rays) const;
 
-  SurfacePoint surface_point(std::uint32_t triangle, float weight1, float weight2) const;
+  SurfacePoint surface_point(const Hit& hit) const;
 
-  // Where a ray meets the plane of the triangle, in double precision: the t of a hit is single.
+  // Where a ray meets the plane of the triangle, inside of it or not; the plane is not along the ray.
+  Hit meet_plane(std::uint32_t triangle, const Eigen::Vector3f& origin,
+                 const Eigen::Vector3f& direction) const;
+
+  // The t at which a ray meets the plane of the triangle, in double precision: the t of a hit is single.
   double exact_t(std::uint32_t triangle, const Eigen::Vector3d& origin,
                  const Eigen::Vector3d& direction) const;
 
  private:
   struct Accelerator;
+  struct Plane {
+    Eigen::Vector3d normal;
+    double offset;
+  };
   const Scene& scene_;
   std::unique_ptr<Accelerator> accelerator_;
+  std::vector<Plane> planes_;  // of each triangle
 };
 
 }  // namespace framewise

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <opencv2/core.hpp>
+#include <span>
+#include <vector>
+
+#include "framewise/simulation/rgbd_sensor.h"
+
+// What the passes of RgbdSensor share: where its pixels look, and how bright what they meet is.
+namespace framewise {
+
+// Where a row of pixels is when it looks.
+struct RowPose {
+  Pose world_from_cam;
+  Eigen::Matrix3f turn;
+  Eigen::Vector3f origin;
+
+  explicit RowPose(const Pose& pose)
+      : world_from_cam(pose), turn(pose.R.cast<float>()), origin(pose.t.cast<float>()) {}
+};
+
+struct View {
+  const RayTracer& tracer;
+  const RgbdOptions& options;
+  const std::vector<Eigen::Vector3f>& rays_in_cam;
+  std::vector<RowPose> rows;
+  float pixel_angle;
+  std::array<float, 2> offset = {0, 0};  // of all rays from the centres of the pixels (pixels)
+
+  Eigen::Vector3f ray_in_cam(int u, int v) const { return rays_in_cam[v * options.camera.width + u]; }
+
+  // The ray beside a pixel's centre, from the rays of its neighbours.
+  Eigen::Vector3f ray_in_cam(int u, int v, const std::array<float, 2>& offset) const;
+
+  // Whether two triangles (-1 for none) show the same texture.
+  bool is_one_surface(int triangle1, int triangle2) const {
+    const auto& materials = tracer.scene().material_of_triangle;
+    return triangle1 == triangle2 ||
+           (triangle1 >= 0 && triangle2 >= 0 && materials[triangle1] == materials[triangle2]);
+  }
+
+  // z of the plane of a triangle in the centre of a pixel, in double precision.
+  double exact_z(int u, int v, std::uint32_t triangle) const;
+};
+
+// One pose, or one for each row.
+View view_of(const RayTracer& tracer, const RgbdOptions& options,
+             const std::vector<Eigen::Vector3f>& rays_in_cam, std::span<const Pose> world_from_cam_of_row);
+
+// Eight rays of pixels. Those that are not aimed are switched off.
+struct Packet {
+  Rays8 rays;
+  std::array<Eigen::Vector3f, 8> rays_in_cam, directions;
+  std::array<cv::Point, 8> pixels;
+
+  Packet() {
+    for (int i = 0; i < 8; ++i) rays.switch_off(i);
+  }
+  void aim(int i, const View& view, cv::Point pixel, const std::array<float, 2>& offset);
+};
+
+// Linear light from where a ray hits, 1 for white, with textures filtered over this part of a pixel.
+Color shade(const View& view, const Hit& hit, const Eigen::Vector3f& ray_in_cam,
+            const Eigen::Vector3f& direction, float part_of_pixel);
+
+// Display values 0 to 255 of linear light (IEC 61966-2-1).
+Color displayed(const Color& light);
+
+// Calls work(tile) for rectangles that cover the image, on all threads of the caller's arena.
+inline constexpr int kTile = 32;
+template <typename Function>
+void for_each_tile(int width, int height, Function work) {
+  tbb::parallel_for(
+      tbb::blocked_range2d<int>(0, (height + kTile - 1) / kTile, 0, (width + kTile - 1) / kTile),
+      [&](const auto& range) {
+        for (int j = range.rows().begin(); j < range.rows().end(); ++j)
+          for (int i = range.cols().begin(); i < range.cols().end(); ++i)
+            work(cv::Rect(i * kTile, j * kTile, kTile, kTile) & cv::Rect(0, 0, width, height));
+      });
+}
+
+// Calls work(hit, packet, i) for what the ray of each pixel of a tile hits. Packets are 4 x 2 pixels.
+template <typename Function>
+void trace_tile(const View& view, const cv::Rect& tile, Function work) {
+  for (int v0 = tile.y; v0 < tile.y + tile.height; v0 += 2) {
+    for (int u0 = tile.x; u0 < tile.x + tile.width; u0 += 4) {
+      Packet packet;
+      for (int i = 0; i < 8; ++i)
+        if (const cv::Point pixel(u0 + i % 4, v0 + i / 4); tile.contains(pixel))
+          packet.aim(i, view, pixel, view.offset);
+      Hits8 hits;
+      view.tracer.intersect(packet.rays, true, hits);
+      for (int i = 0; i < 8; ++i)
+        if (hits.triangle[i] != kNoHit) work(hits[i], packet, i);
+    }
+  }
+}
+
+}  // namespace framewise
