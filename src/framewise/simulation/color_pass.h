@@ -12,14 +12,11 @@ namespace framewise {
 struct Centres {
   cv::Mat color;     // CV_8UC3
   cv::Mat triangle;  // CV_32S, -1 where there is none
+  cv::Mat distance;  // CV_32F, z however far and in single precision, 0 where there is none
   cv::Mat radiance;  // CV_32FC3, empty where it is not asked for
   cv::Mat depth;     // CV_32F, empty where it is not asked for
-  cv::Mat distance;  // CV_32F, z however far and in single precision, with the radiance; 0 where none
 };
 
 Centres trace_centres(const View& view, bool with_radiance, bool with_depth);
-
-// Looks with four rays where neighbours differ. radiance may be empty.
-void refine_edges(const View& view, const Centres& centres, cv::Mat& color, cv::Mat& radiance);
 
 }  // namespace framewise

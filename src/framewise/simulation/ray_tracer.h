@@ -33,6 +33,12 @@ struct Hits8 {
   std::array<std::uint32_t, 8> triangle;
   std::array<float, 8> t, weight1, weight2;
 
+  void set(int i, const Hit& hit) {
+    triangle[i] = hit.triangle;
+    t[i] = hit.t;
+    weight1[i] = hit.weight1;
+    weight2[i] = hit.weight2;
+  }
   Hit operator[](int i) const { return {triangle[i], t[i], weight1[i], weight2[i]}; }
 };
 
@@ -46,7 +52,7 @@ struct SurfacePoint {
 };
 
 // Finds what rays meet in a scene (Embree). Reading is safe from many threads. Keeps a reference to the
-// scene.
+// scene, as it was when this was made.
 class RayTracer {
  public:
   explicit RayTracer(const Scene& scene);
@@ -64,23 +70,35 @@ class RayTracer {
 
   SurfacePoint surface_point(const Hit& hit) const;
 
-  // Where a ray meets the plane of the triangle, inside of it or not; the plane is not along the ray.
-  Hit meet_plane(std::uint32_t triangle, const Eigen::Vector3f& origin,
-                 const Eigen::Vector3f& direction) const;
-
-  // The t at which a ray meets the plane of the triangle, in double precision: the t of a hit is single.
-  double exact_t(std::uint32_t triangle, const Eigen::Vector3d& origin,
-                 const Eigen::Vector3d& direction) const;
-
- private:
-  struct Accelerator;
+  // The plane of a triangle, n . x = d, n of any length.
   struct Plane {
     Eigen::Vector3d normal;
     double offset;
   };
+  const Plane& plane(std::uint32_t triangle) const { return facets_[triangle].plane; }
+
+  // The t at which a ray meets the plane of the triangle, in double precision: the t of a hit is single.
+  double exact_t(std::uint32_t triangle, const Eigen::Vector3d& origin,
+                 const Eigen::Vector3d& direction) const {
+    const auto& [normal, offset] = plane(triangle);
+    return (offset - normal.dot(origin)) / normal.dot(direction);
+  }
+
+ private:
+  struct Accelerator;
+  Hit hit_of_primitive(std::uint32_t primitive, float t, float weight1, float weight2) const;
+  // All there is to know of a triangle, side by side: normal, u, v and light of the first corner, and what is
+  // added to them on the way to the two others.
+  struct Facet {
+    std::array<float, 8> at_first, to_second, to_third;
+    Plane plane;
+    std::uint32_t material;
+  };
+  static Facet facet_of(const Scene& scene, std::size_t triangle);
+
   const Scene& scene_;
   std::unique_ptr<Accelerator> accelerator_;
-  std::vector<Plane> planes_;  // of each triangle
+  std::vector<Facet> facets_;  // of each triangle
 };
 
 }  // namespace framewise

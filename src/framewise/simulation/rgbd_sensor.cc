@@ -10,6 +10,7 @@
 #include "framewise/image/depth.h"
 #include "framewise/simulation/blur.h"
 #include "framewise/simulation/color_pass.h"
+#include "framewise/simulation/edge_pass.h"
 
 namespace framewise {
 
@@ -29,7 +30,8 @@ void RgbdOptions::check() const {
 
 RgbdSensor::RgbdSensor(const RgbdOptions& options) : options_(options) {
   options_.check();
-  rays_in_cam_.reserve(static_cast<std::size_t>(options_.camera.width) * options_.camera.height);
+  rays_in_cam_.width = straight_rays_.width = options_.camera.width;
+  rays_in_cam_.height = straight_rays_.height = options_.camera.height;
   for (int v = 0; v < options_.camera.height; ++v) {
     for (int u = 0; u < options_.camera.width; ++u) {
       const auto x = options_.camera.bearing({u, v});
@@ -50,9 +52,7 @@ Frame RgbdSensor::render(const RayTracer& tracer, const Pose& world_from_cam) co
   const Centres centres = trace_centres(view, false, true);
   Frame frame;
   frame.depth = centres.depth;
-  frame.color = centres.color.clone();
-  cv::Mat no_radiance;
-  refine_edges(view, centres, frame.color, no_radiance);
+  frame.color = with_smooth_edges(view, centres, centres.color);
   cv::cvtColor(frame.color, frame.gray, cv::COLOR_BGR2GRAY);
   return frame;
 }
@@ -60,14 +60,12 @@ Frame RgbdSensor::render(const RayTracer& tracer, const Pose& world_from_cam) co
 cv::Mat RgbdSensor::light(const RayTracer& tracer, std::span<const Pose> world_from_cam_of_row) const {
   const View view = view_of(tracer, options_, rays_in_cam_, world_from_cam_of_row);
   const Centres centres = trace_centres(view, true, false);
-  cv::Mat color = centres.color.clone(), radiance = centres.radiance.clone();
-  refine_edges(view, centres, color, radiance);
-  return radiance;
+  return with_smooth_edges(view, centres, centres.radiance);
 }
 
 cv::Mat RgbdSensor::mean_light(const RayTracer& tracer, const Pose& world_from_cam_in_the_middle,
                                std::span<const Instant> instants) const {
-  const auto& rays = straight_rays_.empty() ? rays_in_cam_ : straight_rays_;
+  const auto& rays = straight_rays_.x.empty() ? rays_in_cam_ : straight_rays_;
   std::vector<View> views;
   for (const Instant& instant : instants) {
     views.push_back(view_of(tracer, options_, rays_in_cam_, instant.world_from_cam_of_row));
@@ -83,7 +81,7 @@ SurfaceImage RgbdSensor::surface(const RayTracer& tracer, const Pose& world_from
                        cv::Mat(height, width, CV_32F, cv::Scalar(0))};
   const auto keep = [&](const Hit& hit, const Packet& packet, int i) {
     const cv::Point pixel = packet.pixels[i];
-    const Eigen::Vector3f normal = tracer.surface_point(hit).normal, &direction = packet.directions[i];
+    const Eigen::Vector3f normal = tracer.surface_point(hit).normal, direction = packet.direction(i);
     surface.depth.at<float>(pixel) = static_cast<float>(view.exact_z(pixel.x, pixel.y, hit.triangle));
     surface.facing.at<float>(pixel) = std::abs(normal.dot(direction)) / direction.norm();
   };

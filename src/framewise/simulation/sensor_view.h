@@ -26,15 +26,34 @@ struct RowPose {
       : world_from_cam(pose), turn(pose.R.cast<float>()), origin(pose.t.cast<float>()) {}
 };
 
+// Display values 0 to 255 of linear light from 0 to 1 (IEC 61966-2-1), read from a table.
+class DisplayCurve {
+ public:
+  DisplayCurve();
+
+  Color operator()(const Color& light) const {
+    return {displayed(light.r), displayed(light.g), displayed(light.b)};
+  }
+
+ private:
+  static constexpr int kSize = 16384;
+
+  float displayed(float light) const {
+    return table_[static_cast<int>(std::clamp(light * kSize, 0.0f, static_cast<float>(kSize - 1)))];
+  }
+
+  std::array<float, kSize> table_;
+};
+const DisplayCurve& display_curve();
+
 struct View {
   const RayTracer& tracer;
   const RgbdOptions& options;
-  const std::vector<Eigen::Vector3f>& rays_in_cam;
+  const PixelRays& rays_in_cam;
   std::vector<RowPose> rows;
   float pixel_angle;
+  const DisplayCurve& displayed = display_curve();
   std::array<float, 2> offset = {0, 0};  // of all rays from the centres of the pixels (pixels)
-
-  Eigen::Vector3f ray_in_cam(int u, int v) const { return rays_in_cam[v * options.camera.width + u]; }
 
   // The ray beside a pixel's centre, from the rays of its neighbours.
   Eigen::Vector3f ray_in_cam(int u, int v, const std::array<float, 2>& offset) const;
@@ -51,27 +70,32 @@ struct View {
 };
 
 // One pose, or one for each row.
-View view_of(const RayTracer& tracer, const RgbdOptions& options,
-             const std::vector<Eigen::Vector3f>& rays_in_cam, std::span<const Pose> world_from_cam_of_row);
+View view_of(const RayTracer& tracer, const RgbdOptions& options, const PixelRays& rays_in_cam,
+             std::span<const Pose> world_from_cam_of_row);
 
-// Eight rays of pixels. Those that are not aimed are switched off.
+// Eight rays of pixels.
 struct Packet {
   Rays8 rays;
-  std::array<Eigen::Vector3f, 8> rays_in_cam, directions;
+  std::array<float, 8> x_in_cam, y_in_cam, z_in_cam;
   std::array<cv::Point, 8> pixels;
 
-  Packet() {
-    for (int i = 0; i < 8; ++i) rays.switch_off(i);
-  }
+  // One of them, beside the centre of a pixel.
   void aim(int i, const View& view, cv::Point pixel, const std::array<float, 2>& offset);
+  // All of them, at 4 x 2 pixels from one on; those not within a rectangle are switched off.
+  void aim_at_block(const View& view, cv::Point first, const cv::Rect& within);
+
+  Eigen::Vector3f ray_in_cam(int i) const { return {x_in_cam[i], y_in_cam[i], z_in_cam[i]}; }
+  Eigen::Vector3f direction(int i) const {
+    return {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]};
+  }
+
+ private:
+  void aim_at_four(int first_ray, const View& view, cv::Point pixel);
 };
 
 // Linear light from where a ray hits, 1 for white, with textures filtered over this part of a pixel.
 Color shade(const View& view, const Hit& hit, const Eigen::Vector3f& ray_in_cam,
             const Eigen::Vector3f& direction, float part_of_pixel);
-
-// Display values 0 to 255 of linear light (IEC 61966-2-1).
-Color displayed(const Color& light);
 
 // Calls work(tile) for rectangles that cover the image, on all threads of the caller's arena.
 inline constexpr int kTile = 32;
@@ -92,9 +116,7 @@ void trace_tile(const View& view, const cv::Rect& tile, Function work) {
   for (int v0 = tile.y; v0 < tile.y + tile.height; v0 += 2) {
     for (int u0 = tile.x; u0 < tile.x + tile.width; u0 += 4) {
       Packet packet;
-      for (int i = 0; i < 8; ++i)
-        if (const cv::Point pixel(u0 + i % 4, v0 + i / 4); tile.contains(pixel))
-          packet.aim(i, view, pixel, view.offset);
+      packet.aim_at_block(view, {u0, v0}, tile);
       Hits8 hits;
       view.tracer.intersect(packet.rays, true, hits);
       for (int i = 0; i < 8; ++i)
