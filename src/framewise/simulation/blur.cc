@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "framewise/simulation/color_pass.h"
+#include "framewise/simulation/edge_pass.h"
 
 namespace framewise {
 namespace {
@@ -20,8 +21,10 @@ constexpr float kNear = 0.02f;
 constexpr int kMargin = 1;
 // Things move at most this far between views (pixels), or every ray is traced.
 constexpr float kFarthestShift = 64;
-// Side of the blocks whose corners alone are looked for in the middle view (pixels).
-constexpr int kBlock = 8;
+// Where the sides of a jump move less against each other (pixels), one view shows what all see.
+constexpr float kLeastShift = 0.25f;
+// Sides of the blocks whose corners alone are looked for in the middle view (pixels).
+constexpr int kBlock = 8, kSmallBlock = 4;
 
 // How far the two sides of each jump of depth may move against each other, of pixels beside it (pixels, 0 for
 // those beside none), when what is at a distance z moves by `shift` / z.
@@ -31,6 +34,7 @@ cv::Mat shifts_at_jumps(const cv::Mat& distance, float shift) {
     const float za = distance.at<float>(a), zb = distance.at<float>(b);
     if (za == zb || (std::min(za, zb) > 0 && std::abs(za - zb) <= kNear * std::min(za, zb))) return;
     const float against = shift * std::abs((za > 0 ? 1 / za : 0) - (zb > 0 ? 1 / zb : 0));
+    if (against < kLeastShift) return;
     const auto pixels = static_cast<std::uint8_t>(kMargin + std::ceil(std::min(against, kFarthestShift)));
     for (const cv::Point& at : {a, b})
       shifts.at<std::uint8_t>(at) = std::max(shifts.at<std::uint8_t>(at), pixels);
@@ -78,6 +82,7 @@ class Middle {
  public:
   Middle(const View& view, const std::vector<std::vector<RowInMiddle>>& rows_of_views)
       : view_(view), centres_(trace_centres(view, true, false)) {
+    centres_.radiance = with_smooth_edges(view, centres_, centres_.radiance);
     const float shift = shift_at_1_m(rows_of_views);
     float nearest = std::numeric_limits<float>::max();
     for (int v = 0; v < centres_.distance.rows; ++v)
@@ -180,10 +185,10 @@ class TileOfView {
     std::array<cv::Point2f, 4> corners;
     for (int k = 0; k < 4; ++k) {
       const auto place = place_of(block.tl() + cv::Point(k % 2 ? right : 0, k / 2 ? down : 0));
-      if (!place) return look_at_each(block);
+      if (!place) return look_closer(block);
       corners[k] = *place;
     }
-    if (!middle_.is_free(corners)) return look_at_each(block);
+    if (!middle_.is_free(corners)) return look_closer(block);
     const float across = 1.0f / static_cast<float>(std::max(1, right)),
                 along = 1.0f / static_cast<float>(std::max(1, down));
     for (int j = 0; j <= down; ++j) {
@@ -193,6 +198,13 @@ class TileOfView {
       cv::Vec3f* sums = sum_.ptr<cv::Vec3f>(block.y + j) + block.x;
       for (int i = 0; i <= right; ++i) sums[i] += middle_.light_at(first + static_cast<float>(i) * step);
     }
+  }
+
+  void look_closer(const cv::Rect& block) {
+    if (block.width <= kSmallBlock && block.height <= kSmallBlock) return look_at_each(block);
+    for (int v0 = block.y; v0 < block.y + block.height; v0 += kSmallBlock)
+      for (int u0 = block.x; u0 < block.x + block.width; u0 += kSmallBlock)
+        look_at_block(cv::Rect(u0, v0, kSmallBlock, kSmallBlock) & block);
   }
 
   void look_at_each(const cv::Rect& block) {

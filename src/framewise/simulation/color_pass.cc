@@ -23,7 +23,7 @@ Centres trace_centres(const View& view, bool with_radiance, bool with_depth) {
                   {}};
   if (with_radiance) centres.radiance = cv::Mat(height, width, CV_32FC3, cv::Scalar::all(0));
   if (with_depth) centres.depth = cv::Mat(height, width, CV_32F, cv::Scalar(kUnknownDepth));
-  const auto keep = [&](const Hit& hit, const Packet& packet, int i) {
+  const auto keep = [&](ExactDepth& exact_z, const Hit& hit, const Packet& packet, int i) {
     const cv::Point pixel = packet.pixels[i];
     const Color light = shade(view, hit, packet.ray_in_cam(i), packet.direction(i), 1);
     centres.color.at<cv::Vec3b>(pixel) = to_bytes(view.displayed(light));
@@ -31,10 +31,14 @@ Centres trace_centres(const View& view, bool with_radiance, bool with_depth) {
     centres.distance.at<float>(pixel) = hit.t * packet.z_in_cam[i];
     if (with_radiance) centres.radiance.at<cv::Vec3f>(pixel) = {light.b, light.g, light.r};
     if (!with_depth) return;
-    const double z = view.exact_z(pixel.x, pixel.y, hit.triangle);
+    const double z = exact_z(pixel, hit.triangle);
     if (z <= view.options.max_depth) centres.depth.at<float>(pixel) = static_cast<float>(z);
   };
-  for_each_tile(width, height, [&](const cv::Rect& tile) { trace_tile(view, tile, keep); });
+  for_each_tile(width, height, [&](const cv::Rect& tile) {
+    ExactDepth exact_z(view);
+    trace_tile(view, tile,
+               [&](const Hit& hit, const Packet& packet, int i) { keep(exact_z, hit, packet, i); });
+  });
   return centres;
 }
 

@@ -13,7 +13,9 @@ namespace {
 constexpr int kContrast = 12;
 constexpr float kJump = 0.03f;
 
-// In which quarter of the way from a pixel's centre to that of the next the border lies: 1 to 4, 0 for none.
+// In which part of the way from a pixel's centre to that of the next the border lies: 1 to kParts, 0 for
+// none.
+constexpr int kParts = 8;
 struct Borders {
   cv::Mat right, below;  // CV_8U
 };
@@ -47,16 +49,18 @@ class TileBorders {
         }
   }
 
-  // Halves the way twice.
+  // Halves the way again and again.
   void find() {
     look();
     std::erase_if(pairs_, [](const Pair& pair) { return pair.side == Side::kNeither; });
-    for (Pair& pair : pairs_) pair.at += pair.side == Side::kFirst ? 0.25f : -0.25f;
-    look();
+    for (float step = 0.25f; step >= 1.0f / kParts; step *= 0.5f) {
+      for (Pair& pair : pairs_) pair.at += pair.side == Side::kFirst ? step : -step;
+      look();
+    }
     for (const Pair& pair : pairs_) {
-      const int quarter = static_cast<int>(4 * pair.at) + (pair.side == Side::kSecond ? 0 : 1);
+      const int part = static_cast<int>(kParts * pair.at) + (pair.side == Side::kFirst ? 1 : 0);
       cv::Mat& borders = pair.step.x ? borders_.right : borders_.below;
-      borders.at<std::uint8_t>(pair.pixel) = static_cast<std::uint8_t>(quarter);
+      borders.at<std::uint8_t>(pair.pixel) = static_cast<std::uint8_t>(part);
     }
   }
 
@@ -107,15 +111,17 @@ class TileBorders {
   std::vector<Pair> pairs_;
 };
 
-// How much of a pixel lies beyond a border in a quarter of the way to the next, in its middle.
-constexpr float kBeyond[5] = {0, 0.375f, 0.125f, 0, 0};
+// How much of a pixel lies beyond a border in the middle of a part of the way to the next, 0 for none.
+float share_beyond(int part) {
+  return part == 0 ? 0 : std::max(0.0f, 0.5f - (static_cast<float>(part) - 0.5f) / kParts);
+}
 
 // A pixel and its neighbours by their shares of it.
 template <typename Pixel>
 Pixel mixture(const cv::Mat& image, const Borders& borders, cv::Point pixel) {
   const auto beyond = [&](const cv::Mat& borders_there, cv::Point first, bool from_second) {
-    const int quarter = borders_there.at<std::uint8_t>(first);
-    return quarter == 0 ? 0 : kBeyond[from_second ? 5 - quarter : quarter];
+    const int part = borders_there.at<std::uint8_t>(first);
+    return share_beyond(from_second && part > 0 ? kParts + 1 - part : part);
   };
   const float right = beyond(borders.right, pixel, false), below = beyond(borders.below, pixel, false),
               left = pixel.x > 0 ? beyond(borders.right, {pixel.x - 1, pixel.y}, true) : 0,

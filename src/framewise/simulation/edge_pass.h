@@ -9,7 +9,7 @@
 namespace framewise {
 
 // Draws pixels that a border between two surfaces passes through as mixtures of what its two sides show.
-// Where the border lies between the centres of two neighbours, two rays tell to a quarter of a pixel.
+// Where the border lies between the centres of two neighbours, three rays tell to an eighth of a pixel.
 //   image  what the centres see, of as many pixels; CV_8UC3 or CV_32FC3
 cv::Mat with_smooth_edges(const View& view, const Centres& centres, const cv::Mat& image);
 

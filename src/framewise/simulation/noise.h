@@ -40,7 +40,9 @@ inline float visible(float size, float footprint) {
 // Value noise in [-1, 1] with one lattice point per unit.
 inline float value_noise(float x, float y, std::uint32_t seed) {
   const int ix = floor_int(x), iy = floor_int(y);
-  const float fx = smooth(x - static_cast<float>(ix)), fy = smooth(y - static_cast<float>(iy));
+  // Clamped: so far out that whole numbers end, it is still bounded.
+  const float fx = smooth(clamp01(x - static_cast<float>(ix))),
+              fy = smooth(clamp01(y - static_cast<float>(iy)));
   // A lighter hash than hash(): this is where much of the time of a frame goes.
   const std::uint32_t left = static_cast<std::uint32_t>(ix) * 0x8da6b343u, right = left + 0x8da6b343u;
   const std::uint32_t low = static_cast<std::uint32_t>(iy) * 0xd8163841u + seed * 0xcb1ab31fu,

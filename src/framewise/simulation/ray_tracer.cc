@@ -72,9 +72,10 @@ Hit hit_of_cell(const FlatGrid& grid, bool above, const Hit& hit) {
   const float across = static_cast<float>(grid.nu - 1), up = static_cast<float>(grid.nv - 1);
   const float x = across * (above ? hit.weight1 : hit.weight1 + hit.weight2),
               y = up * (above ? hit.weight1 + hit.weight2 : hit.weight2);
-  const float i = std::clamp(std::floor(x), 0.0f, across - 1), j = std::clamp(std::floor(y), 0.0f, up - 1);
-  const std::uint32_t cell = static_cast<std::uint32_t>(j) * (grid.nu - 1) + static_cast<std::uint32_t>(i);
-  const float s = x - i, t = y - j;
+  const std::uint32_t i = static_cast<std::uint32_t>(std::clamp(x, 0.0f, across - 1)),
+                      j = static_cast<std::uint32_t>(std::clamp(y, 0.0f, up - 1)),
+                      cell = j * (grid.nu - 1) + i;
+  const float s = x - static_cast<float>(i), t = y - static_cast<float>(j);
   if (s >= t) return {grid.first_triangle + 2 * cell, hit.t, s - t, t};
   return {grid.first_triangle + 2 * cell + 1, hit.t, s, t - s};
 }

@@ -79,13 +79,17 @@ SurfaceImage RgbdSensor::surface(const RayTracer& tracer, const Pose& world_from
   const View view = view_of(tracer, options_, rays_in_cam_, {&world_from_cam, 1});
   SurfaceImage surface{cv::Mat(height, width, CV_32F, cv::Scalar(kUnknownDepth)),
                        cv::Mat(height, width, CV_32F, cv::Scalar(0))};
-  const auto keep = [&](const Hit& hit, const Packet& packet, int i) {
+  const auto keep = [&](ExactDepth& exact_z, const Hit& hit, const Packet& packet, int i) {
     const cv::Point pixel = packet.pixels[i];
     const Eigen::Vector3f normal = tracer.surface_point(hit).normal, direction = packet.direction(i);
-    surface.depth.at<float>(pixel) = static_cast<float>(view.exact_z(pixel.x, pixel.y, hit.triangle));
+    surface.depth.at<float>(pixel) = static_cast<float>(exact_z(pixel, hit.triangle));
     surface.facing.at<float>(pixel) = std::abs(normal.dot(direction)) / direction.norm();
   };
-  for_each_tile(width, height, [&](const cv::Rect& tile) { trace_tile(view, tile, keep); });
+  for_each_tile(width, height, [&](const cv::Rect& tile) {
+    ExactDepth exact_z(view);
+    trace_tile(view, tile,
+               [&](const Hit& hit, const Packet& packet, int i) { keep(exact_z, hit, packet, i); });
+  });
   return surface;
 }
 

@@ -17,8 +17,8 @@ namespace framewise {
 struct RgbdOptions {
   Camera camera{CameraModel::kPinhole, 640, 480, 525, 525, 319.5, 239.5, {}, {}};
   double max_depth = 10;  // farther is invalid (m)
-  // Steps in which a border between two surfaces moves through a pixel: 4, or 1 to see no more than what is
-  // in the middle. Textures filter themselves.
+  // Rays to a pixel beside a border of two surfaces: 4 tell to an eighth of a pixel where it runs, with 1 it
+  // has steps. Textures filter themselves.
   int edge_samples = 4;
   double exposure = 1;  // times as much light as turns 1.0 into white
   double headlamp = 0;  // a lamp at the camera: the light it throws on what faces it at 1 m; 0: none

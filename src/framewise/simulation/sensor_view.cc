@@ -39,10 +39,17 @@ Vector3f View::ray_in_cam(int u, int v, const std::array<float, 2>& offset) cons
   return ray;
 }
 
-double View::exact_z(int u, int v, std::uint32_t triangle) const {
-  const Pose& world_from_cam = rows[v].world_from_cam;
-  const Eigen::Vector3d ray = rays_in_cam(u, v).cast<double>();
-  return ray.z() * tracer.exact_t(triangle, world_from_cam.t, world_from_cam.R * ray);
+double ExactDepth::operator()(cv::Point pixel, std::uint32_t triangle) {
+  if (triangle != triangle_ || (pixel.y != row_ && view_.rows_differ)) {
+    const Pose& world_from_cam = view_.rows[pixel.y].world_from_cam;
+    const auto& [normal, offset] = view_.tracer.plane(triangle);
+    normal_in_cam_ = world_from_cam.R.transpose() * normal;
+    offset_ = offset - normal.dot(world_from_cam.t);
+    triangle_ = triangle;
+    row_ = pixel.y;
+  }
+  const Eigen::Vector3d ray = view_.rays_in_cam(pixel.x, pixel.y).cast<double>();
+  return ray.z() * offset_ / normal_in_cam_.dot(ray);
 }
 
 View view_of(const RayTracer& tracer, const RgbdOptions& options, const PixelRays& rays_in_cam,
@@ -54,7 +61,8 @@ View view_of(const RayTracer& tracer, const RgbdOptions& options, const PixelRay
             .options = options,
             .rays_in_cam = rays_in_cam,
             .rows = {},
-            .pixel_angle = (middle - beside).norm()};
+            .pixel_angle = (middle - beside).norm(),
+            .rows_differ = world_from_cam_of_row.size() > 1};
   for (const Pose& pose : world_from_cam_of_row) view.rows.emplace_back(pose);
   if (view.rows.size() == 1) view.rows.resize(height, view.rows.front());
   return view;
@@ -128,14 +136,14 @@ void Packet::aim_at_block(const View& view, cv::Point first, const cv::Rect& wit
 Color shade(const View& view, const Hit& hit, const Vector3f& ray_in_cam, const Vector3f& direction,
             float part_of_pixel) {
   const SurfacePoint at = view.tracer.surface_point(hit);
-  const float length = direction.norm();
-  const float facing = std::abs(at.normal.dot(direction)) / length;
+  const float length = direction.norm(), across = std::abs(at.normal.dot(direction));
   // Between the short and the long side of the pixel's foot on the surface.
   const float footprint =
-      part_of_pixel * hit.t * length * view.pixel_angle / std::sqrt(std::max(0.1f, facing));
+      part_of_pixel * hit.t * length * view.pixel_angle * std::sqrt(length / std::max(0.1f * length, across));
   const Color reflectance = albedo(*at.material, at.u, at.v, footprint) * at.tint;
   Color seen = at.material->emission > 0 ? reflectance * at.material->emission : reflectance * at.light;
-  if (view.options.headlamp > 0) seen += reflectance * headlight(view, ray_in_cam, facing, hit.t * length);
+  if (view.options.headlamp > 0)
+    seen += reflectance * headlight(view, ray_in_cam, across / length, hit.t * length);
   return seen * static_cast<float>(view.options.exposure);
 }
 

@@ -52,6 +52,7 @@ struct View {
   const PixelRays& rays_in_cam;
   std::vector<RowPose> rows;
   float pixel_angle;
+  bool rows_differ;  // in when they look
   const DisplayCurve& displayed = display_curve();
   std::array<float, 2> offset = {0, 0};  // of all rays from the centres of the pixels (pixels)
 
@@ -64,9 +65,21 @@ struct View {
     return triangle1 == triangle2 ||
            (triangle1 >= 0 && triangle2 >= 0 && materials[triangle1] == materials[triangle2]);
   }
+};
 
-  // z of the plane of a triangle in the centre of a pixel, in double precision.
-  double exact_z(int u, int v, std::uint32_t triangle) const;
+// z of the plane of a triangle in the centre of a pixel, in double precision. Faster where pixels that follow
+// each other see the same triangle; each thread has its own.
+class ExactDepth {
+ public:
+  explicit ExactDepth(const View& view) : view_(view) {}
+  double operator()(cv::Point pixel, std::uint32_t triangle);
+
+ private:
+  const View& view_;
+  std::uint32_t triangle_ = kNoHit;
+  int row_ = -1;
+  Eigen::Vector3d normal_in_cam_;
+  double offset_ = 0;
 };
 
 // One pose, or one for each row.
