@@ -10,7 +10,7 @@ namespace {
 
 // Neighbours that differ by more than this (of 255) and see two surfaces, or one at distances that differ by
 // more than this share, have a border between them. Within a surface the texture is filtered already.
-constexpr int kContrast = 12;
+constexpr int kContrast = 4;
 constexpr float kJump = 0.03f;
 
 // In which part of the way from a pixel's centre to that of the next the border lies: 1 to kParts, 0 for
