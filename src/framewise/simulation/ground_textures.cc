@@ -13,7 +13,10 @@ Color rock(const Material& m, const Point& p) {
   const float seen = visible(0.05f, p.footprint);
   const float dark = seen * (1 - smooth(clamp01(9 * crack))) + (1 - seen) * 0.17f;
   const Cell c = cell_at(p.u, p.v, 0.021f, 0.021f);
-  const float speck = hash01(c.i, c.j, m.seed + 7) < 0.03f ? visible(0.021f, p.footprint) : 0;
+  const float inside = 0.5f - std::max(std::abs(c.x - 0.5f), std::abs(c.y - 0.5f));
+  const float speck = hash01(c.i, c.j, m.seed + 7) < 0.03f
+                          ? visible(0.021f, p.footprint) * edge(0.021f * inside, p.footprint)
+                          : 0;
   const Color stone = shade(mix(m.a, m.b, clamp01(0.5f + 0.4f * broad + 0.4f * layers)), 0.22f * fine);
   return mix(stone * (1 - 0.7f * dark), {0.75f, 0.72f, 0.6f}, 0.5f * speck);
 }

@@ -63,9 +63,15 @@ void MeshBuilder::grid(std::vector<Vertex> corners, int nu, int nv, const Materi
 void MeshBuilder::quad(const Vector3f& corner, const Vector3f& edge_u, const Vector3f& edge_v,
                        const Material& material) {
   const float width = edge_u.norm(), height = edge_v.norm();
-  sheet(cells_along(width) + 1, cells_along(height) + 1, false, material, [&](float s, float t) {
+  const int nu = cells_along(width) + 1, nv = cells_along(height) + 1;
+  const FlatGrid flat{static_cast<std::uint32_t>(scene_.vertices.size()),
+                      static_cast<std::uint32_t>(scene_.triangles.size()), static_cast<std::uint32_t>(nu),
+                      static_cast<std::uint32_t>(nv)};
+  sheet(nu, nv, false, material, [&](float s, float t) {
     return Vertex{corner + s * edge_u + t * edge_v, {}, {s * width, t * height}, {}};
   });
+  if (scene_.triangles.size() - flat.first_triangle == std::size_t{2} * (flat.nu - 1) * (flat.nv - 1))
+    scene_.flat_grids.push_back(flat);
 }
 
 void MeshBuilder::box(const Vector3f& corner, const Vector3f& size, const BoxMaterials& materials) {

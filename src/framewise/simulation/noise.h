@@ -40,8 +40,10 @@ inline float visible(float size, float footprint) {
 // Value noise in [-1, 1] with one lattice point per unit.
 inline float value_noise(float x, float y, std::uint32_t seed) {
   const int ix = floor_int(x), iy = floor_int(y);
-  const float fx = smooth(x - static_cast<float>(ix)), fy = smooth(y - static_cast<float>(iy));
-  // A lighter hash than hash(): this is where most of the time of a frame goes.
+  // Clamped: so far out that whole numbers end, it is still bounded.
+  const float fx = smooth(clamp01(x - static_cast<float>(ix))),
+              fy = smooth(clamp01(y - static_cast<float>(iy)));
+  // A lighter hash than hash(): this is where much of the time of a frame goes.
   const std::uint32_t left = static_cast<std::uint32_t>(ix) * 0x8da6b343u, right = left + 0x8da6b343u;
   const std::uint32_t low = static_cast<std::uint32_t>(iy) * 0xd8163841u + seed * 0xcb1ab31fu,
                       high = low + 0xd8163841u;
@@ -54,21 +56,18 @@ inline float value_noise(float x, float y, std::uint32_t seed) {
   return below + (above - below) * fy;
 }
 
-// Octaves of value noise from one wavelength (m) down to where the footprint hides them, each gain times the
-// last. Octaves are turned against each other so that their lattices do not line up.
+// At most 10 octaves of value noise at (x, y), each gain times the last, of those larger than the 1.5th part
+// of `pixels`. Octaves are turned against each other so that their lattices do not line up.
+float octaves_of_noise(float x, float y, float pixels, float gain, std::uint32_t seed);
+
+// From one wavelength (m) down to where the footprint hides them.
 inline float fractal_noise(float u, float v, float wavelength, float gain, float footprint,
                            std::uint32_t seed) {
-  float sum = 0, amplitude = 1, pixels = wavelength / footprint;
-  float x = u / wavelength, y = v / wavelength;
-  for (int octave = 0; octave < 10 && pixels > 1.5f; ++octave) {
-    sum += amplitude * visible(pixels, 1) * value_noise(x, y, seed + octave);
-    const float turned = 1.6f * x - 1.2f * y;
-    y = 1.2f * x + 1.6f * y;
-    x = turned;
-    pixels *= 0.5f;
-    amplitude *= gain;
-  }
-  return sum;
+  const float pixels = wavelength / footprint;
+  return pixels > 1.5f ? octaves_of_noise(u / wavelength, v / wavelength, pixels, gain, seed) : 0;
 }
+
+// hash01(k, y, seed) of k = 0 to count - 1.
+void hash01_of_each(int count, std::uint32_t y, std::uint32_t seed, float* values);
 
 }  // namespace framewise

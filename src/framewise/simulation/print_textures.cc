@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Framewise authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
 #include <initializer_list>
 
 #include "framewise/simulation/texture_kit.h"
@@ -61,9 +62,15 @@ Color pages(const Material& m, const Point& p) {
 Color abstract(const Material& m, const Point& p) {
   Color color =
       mix(m.a, m.b, clamp01(0.5f + 0.5f * fractal_noise(p.u, p.v, 0.4f, 0.6f, p.footprint, m.seed)));
-  for (std::uint32_t k = 0; k < 22; ++k) {
-    const float u = m.width * hash01(k, 11, m.seed), v = m.height * hash01(k, 12, m.seed);
-    const float size = m.width * (0.03f + 0.16f * hash01(k, 13, m.seed));
+  constexpr std::uint32_t kShapes = 22;
+  std::array<float, kShapes> across, along, sizes;
+  hash01_of_each(kShapes, 11, m.seed, across.data());
+  hash01_of_each(kShapes, 12, m.seed, along.data());
+  hash01_of_each(kShapes, 13, m.seed, sizes.data());
+  for (std::uint32_t k = 0; k < kShapes; ++k) {
+    const float u = m.width * across[k], v = m.height * along[k];
+    const float size = m.width * (0.03f + 0.16f * sizes[k]);
+    if (std::max(std::abs(p.u - u), std::abs(p.v - v)) > size + p.footprint) continue;
     const float mask =
         k % 3 == 0 ? inside_rectangle(p, u - size, v - 0.3f * size, u + size, v + 0.3f * size)
                    : inside_disc(p, u, v, size) - (k % 3 == 1 ? inside_disc(p, u, v, 0.6f * size) : 0);

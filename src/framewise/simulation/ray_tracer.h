@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "framewise/simulation/scene.h"
 
@@ -22,10 +23,23 @@ struct alignas(32) Rays8 {
   void switch_off(int i) { set(i, {0, 0, 0}, {0, 0, 1}, 1, 0); }
 };
 
+struct Hit {
+  std::uint32_t triangle;
+  float t, weight1, weight2;
+};
+
 // The first triangle each ray meets, kNoHit where none; where in it (weights of its second and third corner).
 struct Hits8 {
   std::array<std::uint32_t, 8> triangle;
   std::array<float, 8> t, weight1, weight2;
+
+  void set(int i, const Hit& hit) {
+    triangle[i] = hit.triangle;
+    t[i] = hit.t;
+    weight1[i] = hit.weight1;
+    weight2[i] = hit.weight2;
+  }
+  Hit operator[](int i) const { return {triangle[i], t[i], weight1[i], weight2[i]}; }
 };
 
 // What a ray met, interpolated from the corners of the triangle.
@@ -38,7 +52,7 @@ struct SurfacePoint {
 };
 
 // Finds what rays meet in a scene (Embree). Reading is safe from many threads. Keeps a reference to the
-// scene.
+// scene, as it was when this was made.
 class RayTracer {
  public:
   explicit RayTracer(const Scene& scene);
@@ -54,16 +68,37 @@ class RayTracer {
   // Bit i is set where ray i meets something.
   std::uint8_t occluded(const Rays8& rays) const;
 
-  SurfacePoint surface_point(std::uint32_t triangle, float weight1, float weight2) const;
+  SurfacePoint surface_point(const Hit& hit) const;
 
-  // Where a ray meets the plane of the triangle, in double precision: the t of a hit is single.
+  // The plane of a triangle, n . x = d, n of any length.
+  struct Plane {
+    Eigen::Vector3d normal;
+    double offset;
+  };
+  const Plane& plane(std::uint32_t triangle) const { return facets_[triangle].plane; }
+
+  // The t at which a ray meets the plane of the triangle, in double precision: the t of a hit is single.
   double exact_t(std::uint32_t triangle, const Eigen::Vector3d& origin,
-                 const Eigen::Vector3d& direction) const;
+                 const Eigen::Vector3d& direction) const {
+    const auto& [normal, offset] = plane(triangle);
+    return (offset - normal.dot(origin)) / normal.dot(direction);
+  }
 
  private:
   struct Accelerator;
+  Hit hit_of_primitive(std::uint32_t primitive, float t, float weight1, float weight2) const;
+  // All there is to know of a triangle, side by side: normal, u, v and light of the first corner, and what is
+  // added to them on the way to the two others.
+  struct Facet {
+    std::array<float, 8> at_first, to_second, to_third;
+    Plane plane;
+    std::uint32_t material;
+  };
+  static Facet facet_of(const Scene& scene, std::size_t triangle);
+
   const Scene& scene_;
   std::unique_ptr<Accelerator> accelerator_;
+  std::vector<Facet> facets_;  // of each triangle
 };
 
 }  // namespace framewise

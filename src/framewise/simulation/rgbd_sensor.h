@@ -17,12 +17,29 @@ namespace framewise {
 struct RgbdOptions {
   Camera camera{CameraModel::kPinhole, 640, 480, 525, 525, 319.5, 239.5, {}, {}};
   double max_depth = 10;  // farther is invalid (m)
-  int edge_samples =
-      4;  // rays a pixel where its neighbours differ, 1 or 4; elsewhere textures filter themselves
+  // Rays to a pixel beside a border of two surfaces: 4 tell to an eighth of a pixel where it runs, with 1 it
+  // has steps. Textures filter themselves.
+  int edge_samples = 4;
   double exposure = 1;  // times as much light as turns 1.0 into white
   double headlamp = 0;  // a lamp at the camera: the light it throws on what faces it at 1 m; 0: none
 
   void check() const;
+};
+
+// Rays through the centres of pixels, row by row; z is 1 where the camera allows.
+struct PixelRays {
+  int width = 0, height = 0;
+  std::vector<float> x, y, z;
+
+  Eigen::Vector3f operator()(int u, int v) const {
+    const std::size_t i = static_cast<std::size_t>(v) * width + u;
+    return {x[i], y[i], z[i]};
+  }
+  void push_back(const Eigen::Vector3f& ray) {
+    x.push_back(ray.x());
+    y.push_back(ray.y());
+    z.push_back(ray.z());
+  }
 };
 
 // What is in the middle of each pixel.
@@ -62,7 +79,7 @@ class RgbdSensor {
 
  private:
   RgbdOptions options_;
-  std::vector<Eigen::Vector3f> rays_in_cam_, straight_rays_;  // row by row, z = 1 where the camera allows
+  PixelRays rays_in_cam_, straight_rays_;
 };
 
 }  // namespace framewise

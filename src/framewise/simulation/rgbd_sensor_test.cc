@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -64,6 +65,35 @@ TEST(RgbdSensor, BeyondItsReachDepthIsUnknownAndColorIsNot) {
   const Frame frame = RgbdSensor(options).render(RayTracer(scene), looking_along_x());
   EXPECT_TRUE(std::isnan(frame.depth.at<float>(30, 40)));
   EXPECT_GT(frame.gray.at<std::uint8_t>(30, 40), 100);
+}
+
+// Black from y = at on, white before it; both shine.
+Scene black_beside_white(float at) {
+  Scene scene;
+  MeshBuilder builder(scene, 20);
+  Material white{Texture::kPlain, {1, 1, 1}, {}, 1}, black = white;
+  white.emission = black.emission = 1;
+  black.a = {};
+  builder.quad({3, at, -6}, {0, -12, 0}, {0, 0, 12}, white);
+  builder.quad({3, at + 12, -6}, {0, -12, 0}, {0, 0, 12}, black);
+  return scene;
+}
+
+TEST(RgbdSensor, ABorderMovesThroughAPixelInEighths) {
+  constexpr float kPixel = 3.0f / 66;  // of the wall
+  for (float place = -1; place < 1; place += 0.0371f) {
+    const Scene scene = black_beside_white(-place * kPixel);
+    RgbdOptions options = small_sensor();
+    const auto border = [&] {
+      const cv::Mat light = RgbdSensor(options).light(RayTracer(scene), std::array{looking_along_x()});
+      double dark = 0;
+      for (int u = 0; u < 80; ++u) dark += 1 - light.at<cv::Vec3f>(30, u)[1];
+      return dark - 40;  // columns to the right of the middle
+    };
+    EXPECT_NEAR(border(), place, 0.07);
+    options.edge_samples = 1;
+    EXPECT_NEAR(border(), place, 0.51);
+  }
 }
 
 TEST(RgbdSensor, RefusesOptionsThatMakeNoSensor) {

@@ -27,6 +27,13 @@ struct AreaLight {
   Color radiance;
 };
 
+// A parallelogram cut into cells of two triangles each, so that light can be kept at their corners: nu x nv
+// vertices row by row, and for each cell in the same order the triangle below its diagonal and that above.
+struct FlatGrid {
+  std::uint32_t first_vertex, first_triangle;
+  std::uint32_t nu, nv;
+};
+
 struct SceneOptions {
   std::uint64_t seed = 0;    // textures, colours, and what differs from one scene of a kind to another
   float light_cell = 0.05f;  // distance between the points where light is kept (m); coarser builds faster
@@ -41,6 +48,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Color> tints;  // of each vertex, times the reflectance of its material; or empty
   std::vector<AreaLight> lights;
+  std::vector<FlatGrid> flat_grids;  // of triangles that can be met faster together; in order, none twice
 };
 
 }  // namespace framewise

@@ -55,16 +55,36 @@ inline Color painter(std::uint32_t key, std::uint32_t seed) {
 // Darker and lighter around 1.
 inline Color shade(const Color& color, float amount) { return color * (amount < -0.9f ? 0.1f : 1 + amount); }
 
+// The part of a footprint around x (both in cells) that lies in inked cells of a row of `count` bits; nothing
+// lies before and after them. The footprint is at most one cell.
+inline float ink_along(std::uint32_t bits, int count, float x, float footprint) {
+  const auto ink = [&](int i) { return i >= 0 && i < count && (bits >> i & 1u) ? 1.0f : 0.0f; };
+  const int last = floor_int(x + 0.5f * footprint), first = floor_int(x - 0.5f * footprint);
+  if (first == last) return ink(first);
+  const float beyond = (x + 0.5f * footprint - static_cast<float>(last)) / footprint;
+  return (1 - beyond) * ink(first) + beyond * ink(last);
+}
+
 // Ink of made-up letters: each is a hashed pattern of 3 x 5 strokes in a cell, words are broken by blanks.
 inline float glyphs(const Point& p, float letter, std::uint32_t seed) {
-  const Cell line = cell_at(p.u, p.v, letter, 1.7f * letter);
-  const float y = line.y * 1.7f;
-  if (y > 1 || hash01(line.i, line.j, seed) < 0.17f) return 0;
-  const Cell stroke = cell_at(line.x, y, 0.25f, 0.2f);
-  if (stroke.i > 2) return 0;
-  const std::uint32_t pattern = hash(line.i, line.j, seed + 1);
-  const float ink = (pattern >> (stroke.i + 3 * stroke.j)) & 1u ? 1.0f : 0.0f;
+  constexpr int kAcross = 3, kUp = 5;
   const float seen = visible(0.4f * letter, p.footprint);
+  const Cell line = cell_at(p.u, p.v, letter, 1.7f * letter);
+  const float x = 4 * line.x, y = 5 * 1.7f * line.y;  // in strokes
+  const float across = std::min(1.0f, 4 * p.footprint / letter),
+              up = std::min(1.0f, 5 * p.footprint / letter);
+  if (x - across > kAcross || y - up > kUp || hash01(line.i, line.j, seed) < 0.17f) return 0;
+  if (seen <= 0) return 0.4f;
+  const std::uint32_t pattern = hash(line.i, line.j, seed + 1);
+  const int row = floor_int(y + 0.5f * up), below = floor_int(y - 0.5f * up);
+  const auto ink_of_row = [&](int j) {
+    return j >= 0 && j < kUp ? ink_along(pattern >> (kAcross * j), kAcross, x, across) : 0;
+  };
+  float ink = ink_of_row(row);
+  if (below != row) {
+    const float above = (y + 0.5f * up - static_cast<float>(row)) / up;
+    ink = above * ink + (1 - above) * ink_of_row(below);
+  }
   return seen * ink + (1 - seen) * 0.4f;
 }
 

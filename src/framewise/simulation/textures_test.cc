@@ -75,5 +75,27 @@ TEST(Noise, IsCentredAndBoundedAndContinuous) {
   EXPECT_NEAR(sum / 20000, 0, 0.03);
 }
 
+TEST(Noise, OctavesAddUpEachTwiceAsFineAndTurned) {
+  for (const float pixels : {2.0f, 11.0f, 300.0f, 5000.0f}) {
+    float x = 0.37f, y = -1.23f, size = pixels, amplitude = 1, sum = 0;
+    for (std::uint32_t k = 0; k < 10 && size > 1.5f; ++k) {
+      sum += amplitude * visible(size, 1) * value_noise(x, y, 5 + k);
+      const float turned = 1.6f * x - 1.2f * y;
+      y = 1.2f * x + 1.6f * y;
+      x = turned;
+      size *= 0.5f;
+      amplitude *= 0.7f;
+    }
+    EXPECT_NEAR(octaves_of_noise(0.37f, -1.23f, pixels, 0.7f, 5), sum, 2e-3) << pixels;
+  }
+  EXPECT_TRUE(std::isfinite(octaves_of_noise(3e7f, -2e8f, 1e9f, 0.7f, 5))) << "far out";
+}
+
+TEST(Noise, HashesSideBySideAreThoseOneByOne) {
+  float values[19];
+  hash01_of_each(19, 3, 77, values);
+  for (std::uint32_t k = 0; k < 19; ++k) EXPECT_EQ(values[k], hash01(k, 3, 77));
+}
+
 }  // namespace
 }  // namespace framewise

@@ -11,7 +11,10 @@ Color checker(const Material& m, const Point& p) {
   const Cell c = cell_at(p.u - margin, p.v - margin, kSquare, kSquare);
   const Point local{p.u, (c.i + c.j) & 1 ? p.v : -p.v, p.footprint};
   const float g = 0.25f * grain(local, m.seed + hash(c.i, c.j, m.seed) % 97);
-  return shade(mix(m.b * 0.6f, (c.i + c.j) & 1 ? m.a : m.b, board), g);
+  const float inside = (0.5f - std::max(std::abs(c.x - 0.5f), std::abs(c.y - 0.5f))) * kSquare;
+  const float own = edge(inside, p.footprint);  // a half on the border
+  const Color square = (c.i + c.j) & 1 ? mix(m.b, m.a, own) : mix(m.a, m.b, own);
+  return shade(mix(m.b * 0.6f, square, board), g);
 }
 
 Color ceramic(const Material& m, const Point& p) {
