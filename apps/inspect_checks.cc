@@ -104,7 +104,7 @@ Check check_depth_unit(const Inspection& x) {
   if (ratio < 0.6 || ratio > 1.7)
     return warning(
         name, fmt::format(
-                  "steps are {:.2f} times as long by depth as by truth: --depth-factor {:.4g} instead of {}?",
+                  "steps are {:.2g} times as long by depth as by truth: --depth-factor {:.4g} instead of {}?",
                   ratio, factor * ratio, factor));
   return fine(name,
               fmt::format("the median depth is {:.3g} m; steps are {:.2f} times as long by depth as by truth",

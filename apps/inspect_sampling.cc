@@ -17,14 +17,17 @@
 namespace framewise::apps {
 namespace {
 
-constexpr std::size_t kSampledFrames = 12, kAnchors = 10;
+constexpr std::size_t kSampledFrames = 12, kAnchors = 20;
 constexpr std::array<std::size_t, 4> kSpans = {1, 3, 9, 27};  // frames between the two of a motion
 constexpr int kDepthStride = 5;                               // of the pixels whose depth is counted
-constexpr std::size_t kMostViews = 12;
+constexpr std::size_t kMostViews = 20;
 constexpr int kFewestInliers = 40;
 constexpr double kLeastLength = 0.03;        // of a step by truth, to be compared (m)
 constexpr double kPointErrorOfDepth = 0.03;  // of an inlier, as a share of the depth
 constexpr double kLeastShareOfInliers = 0.3;
+// Median distance of the inliers from their middle, as a share of the image's width: points in a small part
+// of the image cannot tell turning from moving.
+constexpr double kLeastSpread = 0.12;
 
 // `count` of `size` indices, evenly, from the first to the last.
 std::vector<std::size_t> spread_evenly(std::size_t size, std::size_t count) {
@@ -93,9 +96,23 @@ double median_parallax(const Correspondences& shared, const Step& step) {
   return angles.empty() ? 0 : median(angles);
 }
 
-// The length of the motion by depth alone (m): of the rigid motion between the points that both frames have
-// with depth, which no unit of depth turns. Empty where they are too few.
-std::optional<double> length_by_depth(const Correspondences& shared, std::uint64_t seed) {
+bool are_spread(const Correspondences& shared, const Step& step, int width) {
+  std::vector<double> u, v, distances;
+  for (std::size_t i = 0; i < shared.size(); ++i) {
+    if (step.inlier_mask[i] == 0) continue;
+    u.push_back(shared.pixels1[i].x());
+    v.push_back(shared.pixels1[i].y());
+  }
+  if (u.empty()) return false;
+  const double middle_u = median(u), middle_v = median(v);
+  for (std::size_t i = 0; i < u.size(); ++i)
+    distances.push_back(std::hypot(u[i] - middle_u, v[i] - middle_v));
+  return median(distances) >= kLeastSpread * width;
+}
+
+// The translation of cam2_from_cam1 by depth alone (m): of the rigid motion between the points that both
+// frames have with depth, which no unit of depth turns. Empty where they are too few.
+std::optional<Eigen::Vector3d> translation_by_depth(const Correspondences& shared, std::uint64_t seed) {
   std::vector<Eigen::Vector3d> X1, X2;
   std::vector<double> depths;
   for (std::size_t i = 0; i < shared.size(); ++i) {
@@ -110,7 +127,7 @@ std::optional<double> length_by_depth(const Correspondences& shared, std::uint64
   options.max_error = kPointErrorOfDepth * median(depths);
   options.min_inliers = kFewestInliers;
   const auto estimate = estimate_registration(X1, X2, options);
-  return estimate ? std::optional(estimate->cam2_from_cam1.t.norm()) : std::nullopt;
+  return estimate ? std::optional(estimate->cam2_from_cam1.t) : std::nullopt;
 }
 
 // Bearings alone tell the motion: no mistake in depth touches it.
@@ -118,7 +135,6 @@ OdometryOptions motion_options() {
   OdometryOptions options;
   options.solver = "nister-5pt";
   options.scale = "none";
-  options.subpixel = "none";
   options.depth.min_depth = 0;  // of whatever unit
   options.depth.max_depth = 1e9;
   return options;
@@ -166,11 +182,13 @@ class MotionSampler {
     if (!is_measured(step.status) || step.inliers < kFewestInliers ||
         step.inliers < kLeastShareOfInliers * step.matches)
       return false;
+    if (!are_spread(shared, step, camera.width)) return true;
     evidence.motions.push_back({truth1, truth2, step.cam2_from_cam1, median_parallax(shared, step)});
-    const double true_length = (truth1.inverse() * truth2).t.norm();
-    if (true_length < kLeastLength) return true;
-    if (const auto length = length_by_depth(shared, seed_))
-      evidence.length_ratios.push_back(*length / true_length);
+    // Along the true step: noise across it makes every step longer.
+    const Eigen::Vector3d true_step = (truth2.inverse() * truth1).t;
+    if (true_step.norm() < kLeastLength) return true;
+    if (const auto t = translation_by_depth(shared, seed_))
+      evidence.length_ratios.push_back(t->dot(true_step) / true_step.squaredNorm());
     return true;
   }
 

@@ -28,7 +28,7 @@ struct ImageEvidence {
   std::optional<DepthSummary> depth;
   std::optional<EdgeFit> edges;         // where frames have colour and depth with edges
   std::vector<ObservedMotion> motions;  // between frames whose truth is known
-  // Of those with depth: how long the step is by depth, over how long it is by truth.
+  // Of those with depth: how far the step goes by depth along the true one, over how long that is.
   std::vector<double> length_ratios;
 };
 
