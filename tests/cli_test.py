@@ -159,6 +159,10 @@ class Run(Recording):
         self.refuses(self.run_data("--reference", "map", "--solver", "p3p"), "solver", "map")
 
     def test_eight_point_takes_its_scale_from_depth_truth_or_nowhere(self):
+        # Half as many frames a second: steps with parallax enough to have a length.
+        self.data = self.work / "half"
+        made = framewise("simulate", "room", "--out", self.data, "--frames", self.FRAMES, "--rate", 15, "--quiet")
+        self.assertEqual(made.returncode, 0, made.stderr)
         for scale in ("depth", "truth", "none"):
             result = self.run_data("--solver", "eight-point", "--scale", scale)
             self.assertEqual(result.returncode, 0, result.stderr)

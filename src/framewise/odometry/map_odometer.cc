@@ -55,10 +55,11 @@ std::vector<Pose> run_map_odometry(const FrameSource& frames, const Camera& came
   const auto place = [&](MapPassagePtr passage) {
     if (passage->failure) std::rethrow_exception(passage->failure);
     const double start = clock(), time = passage->frame->time;
+    const char* input = passage->frame->levels.empty() ? "" : "color";
     MapTrack track = tracker.add(std::move(passage->frame));
     passage->seconds.step = clock() - start;
     if (taps.pair && passage->index > 0) taps.pair(passage->index - 1, passage->index, track.seen);
-    sink({passage->index, time, std::move(track.step), track.world_from_cam, passage->seconds, {}});
+    sink({passage->index, time, std::move(track.step), track.world_from_cam, passage->seconds, input});
   };
 
   constexpr auto kInOrder = tbb::filter_mode::serial_in_order, kSideBySide = tbb::filter_mode::parallel;
