@@ -45,11 +45,16 @@ std::optional<Evaluation> evaluate_run(const Recording& recording, const Odometr
   EvaluationOptions options;
   options.association.max_difference = 1e-6;
   if (odometry.scale == "none") options.alignment = Alignment::kSim3;
-  try {
-    return evaluate(truth, estimate, options);
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;  // an estimate that never moved has no scale
+  // Where one of the two never moved there is nothing to align but the first pose; rotations are judged all
+  // the same.
+  for (const Alignment alignment : {options.alignment, Alignment::kSe3}) {
+    options.alignment = alignment;
+    try {
+      return evaluate(truth, estimate, options);
+    } catch (const std::invalid_argument&) {
+    }
   }
+  return std::nullopt;
 }
 
 bool has_moved(const Trajectory& causal, const Trajectory& final) {

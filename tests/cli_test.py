@@ -175,6 +175,20 @@ class Run(Recording):
                 else:
                     self.assertLess(length, 0.2)
 
+    def test_rotations_are_judged_where_a_camera_without_depth_only_turned(self):
+        self.data = self.work / "turn"
+        made = framewise("simulate", "room", "--path", "pure-rotation", "--rate", 15, "--frames", 8, "--width", 320, "--height", 240,
+                         "--out", self.data, "--quiet")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        (self.data / "depth.txt").unlink()
+        shutil.rmtree(self.data / "depth")
+        self.assertEqual(self.run_data().returncode, 0)
+        run = json.loads((self.out / "run.json").read_text())
+        self.assertEqual(run["statuses"]["rotation-only"], 7)
+        self.assertEqual(run["evaluation"]["coverage"], 1)
+        self.assertLess(run["evaluation"]["rpe"]["rotation_deg"]["rmse"], 0.1)
+        self.assertEqual(run["evaluation"]["ate"]["rmse"], 0)
+
     def test_every_solver_follows_the_camera(self):
         for solver in ("eight-point", "seven-point", "nister-5pt", "stewenius-5pt", "kneip-5pt-rotation", "eigensolver"):
             result = self.run_data("--solver", solver, "--scale", "depth")
