@@ -103,9 +103,10 @@ Check check_depth_unit(const Inspection& x) {
   const double ratio = *measured;
   if (ratio < 0.6 || ratio > 1.7)
     return warning(
-        name, fmt::format(
-                  "steps are {:.2g} times as long by depth as by truth: --depth-factor {:.4g} instead of {}?",
-                  ratio, factor * ratio, factor));
+        name,
+        fmt::format("steps are {} times as long by depth as by truth: --depth-factor {:.4g} instead of {}?",
+                    ratio < 100 ? fmt::format("{:.2g}", ratio) : fmt::format("{:.0f}", ratio), factor * ratio,
+                    factor));
   return fine(name,
               fmt::format("the median depth is {:.3g} m; steps are {:.2f} times as long by depth as by truth",
                           z, ratio));

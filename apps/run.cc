@@ -259,9 +259,10 @@ int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
     Trajectory final;
     for (std::size_t i = 0; i < final_poses.size(); ++i) final.add(recording.times[i], final_poses[i]);
     write_tum_trajectory(command.out / "trajectory_final.tum", final);
-    final_evaluation = evaluate_run(recording, command.odometry, final);
-    run["evaluation_final"] = final_evaluation ? Json(to_json(*final_evaluation)) : Json(nullptr);
-    if (!has_moved(tally.trajectory, final)) final_evaluation.reset();
+    const bool is_another = has_moved(tally.trajectory, final);
+    if (is_another) final_evaluation = evaluate_run(recording, command.odometry, final);
+    const auto& judged = is_another ? final_evaluation : evaluation;
+    run["evaluation_final"] = judged ? Json(to_json(*judged)) : Json(nullptr);
   }
   run["command"] = invocation.command;
   run["machine"] = invocation.machine;

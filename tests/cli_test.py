@@ -1465,10 +1465,7 @@ class Simulate(Recording):
             said, _ = process.communicate(timeout=60)
             self.assertEqual(process.returncode, 1)
             self.assertIn("ended early", said)
-            # So few and small frames do not tell mistakes; that all lists, images and poses can be read is enough.
-            inspected = framewise("inspect", self.out, "--json")
-            self.assertEqual(inspected.returncode, 0, inspected.stderr)
-            frames = json.loads(inspected.stdout)["frames"]["count"]
+            frames = self.expect_no_mistake(self.out)["frames"]["count"]
             self.assertEqual(json.loads((self.out / "simulation.json").read_text())["frames"], frames)
             self.assertGreater(frames, 4)
             self.assertLess(frames, 200000)

@@ -56,6 +56,10 @@ const Pose& GeometricRefinement::world_from_base() const {
   return uses_model_ ? model_.world_from_keyframe() : world_from_reference_;
 }
 
+PoseEstimate GeometricRefinement::reference_from_base() const {
+  return {world_from_reference_.inverse() * world_from_base(), reference_covariance_};
+}
+
 Pose GeometricRefinement::predicted(double time) const {
   if (!(motion_time_ > 0)) return world_from_reference_;
   const double share = std::min((time - reference_time_) / motion_time_, kMostContinued);
@@ -95,10 +99,9 @@ std::optional<GeometricRefinement::Found> GeometricRefinement::find(const Surfac
 }
 
 GeometricRefinement::Found GeometricRefinement::weighed(const Found& found, const Step& from_features) const {
-  const PoseEstimate reference{world_from_reference_.inverse() * world_from_base(), reference_covariance_};
-  const auto both =
-      fused(found.cam_from_base,
-            chained({from_features.cam2_from_cam1, kSharedErrors * from_features.covariance}, reference));
+  const auto both = fused(found.cam_from_base,
+                          chained({from_features.cam2_from_cam1, kSharedErrors * from_features.covariance},
+                                  reference_from_base()));
   if (!both) return found;
   return {found.alignment, *both, renewed(world_from_base() * both->cam2_from_cam1.inverse())};
 }
@@ -149,8 +152,7 @@ Step GeometricRefinement::refine(double time, std::shared_ptr<const SurfacePyram
   if (found) {
     step.status = found->alignment.free_directions.empty() ? Status::kOk : Status::kLowParallax;
     step.cam2_from_cam1 = renewed(world_from_cam.inverse() * world_from_reference_);
-    const PoseEstimate reference{world_from_reference_.inverse() * world_from_base(), reference_covariance_};
-    step.covariance = between(found->cam_from_base, reference).covariance;
+    step.covariance = between(found->cam_from_base, reference_from_base()).covariance;
     for (const FreeDirection& direction : found->alignment.free_directions)
       step.free_directions.push_back(name_of(direction));
     step.overlap = found->alignment.overlap;

@@ -45,6 +45,7 @@ class GeometricRefinement {
 
   // The camera whose surface frames are aligned with: the keyframe's, or the frame before.
   const Pose& world_from_base() const;
+  PoseEstimate reference_from_base() const;
   Pose predicted(double time) const;
   Pose guess(const SurfacePyramid& surface, const Pose& prediction,
              const std::optional<Pose>& by_features) const;

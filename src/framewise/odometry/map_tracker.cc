@@ -9,6 +9,7 @@
 #include "framewise/geometry/so3.h"
 #include "framewise/odometry/depth_filter.h"
 #include "framewise/odometry/map_growth.h"
+#include "framewise/odometry/pose_estimate.h"
 #include "framewise/odometry/window_adjustment.h"
 
 namespace framewise {
@@ -23,13 +24,6 @@ Matrix6d in_own_axes(const Matrix6d& covariance, const Pose& cam2_from_cam1) {
   J.topLeftCorner<3, 3>() = cam2_from_cam1.R;
   J.bottomLeftCorner<3, 3>() = skew(cam2_from_cam1.t) * cam2_from_cam1.R;
   return J * covariance * J.transpose();
-}
-
-// Of a step between two placed cameras, each with its own error.
-Matrix6d step_covariance(const Matrix6d& of_cam2, const Matrix6d& of_cam1, const Pose& cam2_from_cam1) {
-  Matrix6d J = Matrix6d::Identity();
-  J.bottomRightCorner<3, 3>() = cam2_from_cam1.R;
-  return of_cam2 + J * of_cam1 * J.transpose();
 }
 
 // Of the camera's orientation (its own axes) and position (the world's) from that of cam2_from_cam1.
@@ -344,7 +338,9 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   const Pose world_from_earlier = world_from_earlier_ = world_from_before_;
   const double dt = frame->time - time_before_;
   const Matrix6d own = in_own_axes(placed.pose.own_covariance, cam_from_before);
-  track.step.covariance = step_covariance(placed.pose.own_covariance, covariance_before_, cam_from_before);
+  // Of a step between two placed cameras, each with its own error.
+  track.step.covariance =
+      chained({cam_from_before, placed.pose.own_covariance}, {Pose(), covariance_before_}).covariance;
 
   const auto correction = readout_correction(placed.matches, placed.pose);
   if (options_.map.unskew)
