@@ -47,12 +47,22 @@ MapTracker::MapTracker(const Camera& camera, const OdometryOptions& options, Pri
       motion_(options.map.shrink) {}
 
 MapTrack MapTracker::add(std::shared_ptr<MapFrame> frame) {
-  if (map_.empty()) return start(std::move(frame));
+  if (map_.empty()) {
+    before_ = measured_ = FrameView(*frame);
+    return start(std::move(frame));
+  }
   if (!has_points_) return start_without_depth(std::move(frame));
-  auto placed = place(*frame, motion_.predict(frame->time));
+  FrameView view(*frame);
+  std::optional<Placed> unsure;
+  auto placed = place(*frame, motion_.predict(frame->time), unsure);
   const bool was_missed = time_before_ > time_measured_;
-  if (!placed && was_missed) placed = place(*frame, steady_.predict(frame->time));
-  return placed ? measured(std::move(frame), *placed) : missed(std::move(frame));
+  if (!placed && was_missed) placed = place(*frame, steady_.predict(frame->time), unsure);
+  if (!placed) placed = place_by_pair(*frame, view);
+  if (!placed) placed = std::move(unsure);
+  MapTrack track = placed ? measured(std::move(frame), *placed) : missed(std::move(frame));
+  before_ = std::move(view);
+  if (placed) measured_ = before_, world_from_measured_ = track.world_from_cam;
+  return track;
 }
 
 MapTrack MapTracker::start(std::shared_ptr<MapFrame> frame) {
@@ -172,7 +182,8 @@ void MapTracker::build_from_two_views(std::shared_ptr<MapFrame> frame, TwoViewSt
 
 // Patches are looked for where the motion before foretells them, a few from afar and then all; where that
 // fails, features are matched, near and then anywhere.
-std::optional<MapTracker::Placed> MapTracker::place(MapFrame& frame, const Pose& predicted) const {
+std::optional<MapTracker::Placed> MapTracker::place(MapFrame& frame, const Pose& predicted,
+                                                    std::optional<Placed>& unsure) const {
   const auto keyframes =
       keyframes_in_view(map_, predicted, camera_, options_.map.newest, options_.map.others);
   const Pose predicted_from_before = predicted.inverse() * world_from_before_;
@@ -180,7 +191,11 @@ std::optional<MapTracker::Placed> MapTracker::place(MapFrame& frame, const Pose&
   Placed placed = refine(frame, predicted_from_before, keyframes, kFar, kFew);
   if (is_credible(placed))
     placed = refine(frame, placed.pose.cam_from_reference, keyframes, kNearby, options_.map.points);
-  if (is_credible(placed)) return placed;
+  if (is_credible(placed, 0.33)) return placed;
+  constexpr double kClearPx = 0.3;
+  if (is_credible(placed) && placed.pose.num_inliers >= 2 * options_.map.min_inliers &&
+      placed.pose.ray_scale * options_.map.least_sigma_px < kClearPx)
+    unsure = placed;
 
   describe(frame, camera_, options_.map);
   int matched = 0;
@@ -189,15 +204,49 @@ std::optional<MapTracker::Placed> MapTracker::place(MapFrame& frame, const Pose&
   placed = refine(frame, first->cam_from_reference, keyframes, kNearby, options_.map.points);
   placed.matched = std::max(matched, placed.matched);
   placed.iterations = first->iterations;
-  return is_credible(placed) ? std::optional(placed) : std::nullopt;
+  // A fifth of the patches is found anywhere: it is the features that vouch for this pose.
+  const bool is_sure = first->inliers >= 2 * options_.map.min_inliers;
+  return is_sure && is_credible(placed, 0.05) ? std::optional(placed) : std::nullopt;
+}
+
+// Where the map has nothing that this frame shows: by what it has in common with the last frame that was
+// placed, or with the frame before.
+std::optional<MapTracker::Placed> MapTracker::place_by_pair(const MapFrame& frame, FrameView& view) {
+  FramePairOptions options;
+  options.depth = options_.depth;
+  options.depth_noise = options_.depth_noise;
+  options.ransac = options_.ransac;
+  options.ransac.seed = options_.seed + 0xd1b54a32d192ed03ull * (frame.index + 1);
+  const Pose predicted = motion_.predict(frame.time);
+  const auto relate = [&](FrameView& earlier, const Pose& world_from_earlier) -> std::optional<Placed> {
+    const auto pair =
+        pose_from_pair(earlier, view, predicted.inverse() * world_from_earlier, camera_, options);
+    if (!pair) return std::nullopt;
+    Placed placed;
+    placed.pose = *pair;
+    placed.pose.cam_from_reference =
+        pair->cam_from_reference * world_from_earlier.inverse() * world_from_before_;
+    placed.shutter = shutter_of(placed.pose.cam_from_reference, frame.time);
+    placed.matched = static_cast<int>(pair->inliers.size());
+    placed.pose.inliers.clear();
+    return placed;
+  };
+  auto placed = relate(measured_, world_from_measured_);
+  if (!placed && time_before_ > time_measured_) placed = relate(before_, world_from_before_);
+  if (!placed) return std::nullopt;
+  const Pose world_from_cam = world_from_before_ * placed->pose.cam_from_reference.inverse();
+  const auto keyframes =
+      keyframes_in_view(map_, world_from_cam, camera_, options_.map.newest, options_.map.others);
+  const Placed refined = refine(frame, placed->pose.cam_from_reference, keyframes, 0, options_.map.points);
+  return is_credible(refined, 0.05) ? refined : placed;
 }
 
 // Most of what is found agrees, to the noise of a place that is found at all.
-bool MapTracker::is_credible(const Placed& placed) const {
-  constexpr double kMostNoisePx = 1.5, kLeastFound = 0.2;
+bool MapTracker::is_credible(const Placed& placed, double least_found) const {
+  constexpr double kMostNoisePx = 1.5;
   const int found = static_cast<int>(placed.matches.size());
   return placed.pose.num_inliers >= options_.map.min_inliers && 2 * placed.pose.num_inliers >= found &&
-         found >= kLeastFound * placed.sought && placed.pose.covariance.allFinite() &&
+         found >= least_found * placed.sought && placed.pose.covariance.allFinite() &&
          placed.pose.ray_scale * options_.map.least_sigma_px < kMostNoisePx;
 }
 

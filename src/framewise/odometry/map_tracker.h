@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "framewise/odometry/frame_pair.h"
 #include "framewise/odometry/local_map.h"
 #include "framewise/odometry/map_matching.h"
 #include "framewise/odometry/map_pose.h"
@@ -56,8 +57,9 @@ class MapTracker {
   MapTrack measured(std::shared_ptr<MapFrame> frame, const Placed& placed);
   MapTrack missed(std::shared_ptr<MapFrame> frame);
 
-  std::optional<Placed> place(MapFrame& frame, const Pose& predicted) const;
-  bool is_credible(const Placed& placed) const;
+  std::optional<Placed> place(MapFrame& frame, const Pose& predicted, std::optional<Placed>& unsure) const;
+  std::optional<Placed> place_by_pair(const MapFrame& frame, FrameView& view);
+  bool is_credible(const Placed& placed, double least_found = 0.2) const;
   std::optional<FirstPose> find_first_pose(const MapFrame& frame, const Pose& predicted,
                                            const std::vector<int>& keyframes, int& matched) const;
   Placed refine(const MapFrame& frame, const Pose& cam_from_before, const std::vector<int>& keyframes,
@@ -87,6 +89,9 @@ class MapTracker {
   Pose world_from_before_, world_from_earlier_;  // the frame before, and the one before that
   double time_before_ = 0, time_measured_ = 0;
   Matrix6d covariance_before_ = Matrix6d::Zero();  // in its own axes
+  // The frame before, and the last one whose pose was measured, to relate a frame to where the map fails.
+  FrameView before_, measured_;
+  Pose world_from_measured_;
   int points_at_keyframe_ = 0;
   ReadoutEstimate readout_;
   double lens_information_ = 1 / (0.02 * 0.02);  // of k1: what calibrations leave of it
