@@ -61,6 +61,7 @@ MapTrack MapTracker::add(std::shared_ptr<MapFrame> frame) {
   if (!placed) placed = std::move(unsure);
   MapTrack track = placed ? measured(std::move(frame), *placed) : missed(std::move(frame));
   before_ = std::move(view);
+  measured_in_a_row_ = placed ? measured_in_a_row_ + 1 : 0;
   if (placed) measured_ = before_, world_from_measured_ = track.world_from_cam;
   return track;
 }
@@ -192,10 +193,8 @@ std::optional<MapTracker::Placed> MapTracker::place(MapFrame& frame, const Pose&
   if (is_credible(placed))
     placed = refine(frame, placed.pose.cam_from_reference, keyframes, kNearby, options_.map.points);
   if (is_credible(placed, 0.33)) return placed;
-  constexpr double kClearPx = 0.3;
-  if (is_credible(placed) && placed.pose.num_inliers >= 2 * options_.map.min_inliers &&
-      placed.pose.ray_scale * options_.map.least_sigma_px < kClearPx)
-    unsure = placed;
+  constexpr int kUnderWay = 3;  // frames that tell a motion
+  if (is_credible(placed) && measured_in_a_row_ >= kUnderWay) unsure = placed;
 
   describe(frame, camera_, options_.map);
   int matched = 0;

@@ -92,6 +92,7 @@ class MapTracker {
   // The frame before, and the last one whose pose was measured, to relate a frame to where the map fails.
   FrameView before_, measured_;
   Pose world_from_measured_;
+  int measured_in_a_row_ = 0;
   int points_at_keyframe_ = 0;
   ReadoutEstimate readout_;
   double lens_information_ = 1 / (0.02 * 0.02);  // of k1: what calibrations leave of it
