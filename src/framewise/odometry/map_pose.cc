@@ -118,13 +118,11 @@ Refinement refine(const std::vector<MapMatch>& matches, const Pose& initial, con
 }
 
 // Of those that agree, at full weight: a robust loss takes weight from what is merely noisy.
-Matrix6d covariance_at(const std::vector<MapMatch>& matches, const MapPose& pose, const DepthNoise& noise,
-                       bool of_map_too) {
+Matrix6d covariance_at(const std::vector<MapMatch>& matches, const MapPose& pose, const DepthNoise& noise) {
   std::vector<MapMatch> inliers;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!pose.inliers[i]) continue;
     inliers.push_back(matches[i]);
-    if (!of_map_too) inliers.back().S.setZero();
   }
   if (inliers.size() < 3) return Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
   return refine(inliers, pose.cam_from_reference, noise, pose.depth_scale, {Loss::kTrivial, 3}).covariance;
@@ -214,8 +212,7 @@ MapPose refine_map_pose(const std::vector<MapMatch>& matches, const Pose& initia
   // average out.
   constexpr double kOwnNoise = 2;
   const double shared = std::max(1.0, pose.ray_scale / kOwnNoise);
-  pose.covariance = shared * shared * covariance_at(scaled, pose, noise, true);
-  pose.own_covariance = shared * shared * covariance_at(scaled, pose, noise, false);
+  pose.covariance = shared * shared * covariance_at(scaled, pose, noise);
   return pose;
 }
 

@@ -45,9 +45,7 @@ std::optional<FirstPose> first_pose(const std::vector<MapMatch>& matches, const 
 // residuals show. A depth that disagrees by more than three sigma counts for nothing; its ray still does.
 struct MapPose {
   Pose cam_from_reference;
-  // Of the tangent (rotation, translation) as of Pose: under all noise, and under that of this camera's
-  // measurements alone, which is all that differs between frames that see the same points.
-  Matrix6d covariance, own_covariance;
+  Matrix6d covariance;  // of the tangent (rotation, translation) as of Pose
   std::vector<std::uint8_t> inliers;
   int num_inliers = 0;
   double ray_scale = 1, depth_scale = 1;  // noise shown over noise said

@@ -9,7 +9,6 @@
 #include "framewise/geometry/so3.h"
 #include "framewise/odometry/depth_filter.h"
 #include "framewise/odometry/map_growth.h"
-#include "framewise/odometry/pose_estimate.h"
 #include "framewise/odometry/window_adjustment.h"
 
 namespace framewise {
@@ -17,14 +16,6 @@ namespace {
 
 constexpr double kLensShare = 0.02;  // of what a window says of the lens (learn_lens)
 constexpr double kUnmeasured = std::numeric_limits<double>::quiet_NaN();
-
-// Of cam2_from_cam1's tangent: what a camera 2 that is at fault by so much is told to be, in its own axes.
-Matrix6d in_own_axes(const Matrix6d& covariance, const Pose& cam2_from_cam1) {
-  Matrix6d J = Matrix6d::Identity();
-  J.topLeftCorner<3, 3>() = cam2_from_cam1.R;
-  J.bottomLeftCorner<3, 3>() = skew(cam2_from_cam1.t) * cam2_from_cam1.R;
-  return J * covariance * J.transpose();
-}
 
 // Of the camera's orientation (its own axes) and position (the world's) from that of cam2_from_cam1.
 Matrix6d of_placed_camera(const Matrix6d& covariance, const Pose& cam2_from_cam1,
@@ -101,7 +92,7 @@ MapTrack MapTracker::start_without_depth(std::shared_ptr<MapFrame> frame) {
   }
   track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_before_;
   world_from_before_ = track.world_from_cam;
-  covariance_before_.setZero();
+  errors_.moved(track.world_from_cam, Matrix6d::Zero());  // the map's length and axes are these frames'
   motion_.start(frame->time, track.world_from_cam);
   time_before_ = time_measured_ = frame->time;
   // Before they have too little in common to tell a turn.
@@ -155,7 +146,7 @@ void MapTracker::build_from_two_views(std::shared_ptr<MapFrame> frame, TwoViewSt
   cam2_from_cam1.t *= length;
   const int host_id = host.id;
   const Pose world_from_cam = host.world_from_cam * cam2_from_cam1.inverse();
-  Keyframe& viewer = map_.add(std::move(frame), world_from_cam);
+  Keyframe& viewer = add_keyframe(std::move(frame), world_from_cam);
   Keyframe& kept_host = map_.at(host_id);
   for (std::size_t i = 0; i < two_views.points.size(); ++i) {
     MapPoint point = std::move(two_views.points[i]);
@@ -376,6 +367,8 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   track.world_from_cam =
       motion_.update(frame->time, world_from_before_ * cam_from_before.inverse(),
                      of_placed_camera(placed.pose.covariance, cam_from_before, world_from_before_.R));
+  follow_errors(placed);
+  track.step.covariance = errors_.step_covariance(world_from_before_, track.world_from_cam);
   track.step.status = Status::kOk;
   track.step.matches = placed.matched;
   track.step.inliers = placed.pose.num_inliers;
@@ -385,10 +378,6 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   track.seen.has_depth = !frame->depth.empty();
   const Pose world_from_earlier = world_from_earlier_ = world_from_before_;
   const double dt = frame->time - time_before_;
-  const Matrix6d own = in_own_axes(placed.pose.own_covariance, cam_from_before);
-  // Of a step between two placed cameras, each with its own error.
-  track.step.covariance =
-      chained({cam_from_before, placed.pose.own_covariance}, {Pose(), covariance_before_}).covariance;
 
   const auto correction = readout_correction(placed.matches, placed.pose);
   if (options_.map.unskew)
@@ -396,7 +385,6 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   shutter_ = placed.shutter;
   if (trajectory_.size() == 1) map_.at(0).shutter = shutter_;  // as the first frame turned, most likely
   world_from_before_ = track.world_from_cam;
-  covariance_before_ = own;
   time_before_ = time_measured_ = frame->time;
   if (dt > 0) speed_ = (world_from_before_.t - world_from_earlier.t).norm() / dt;
   const auto traced = look_for_depth(*frame, placed);
@@ -411,10 +399,53 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   return track;
 }
 
+// How far the camera and with it the step may be off.
+void MapTracker::follow_errors(const Placed& placed) {
+  const Pose& cam_from_before = placed.pose.cam_from_reference;
+  const Pose world_from_cam = world_from_before_ * cam_from_before.inverse();
+  if (placed.matches.empty()) {
+    errors_.moved(world_from_cam, foretold_ + of_placed_camera(placed.pose.covariance, cam_from_before,
+                                                               world_from_before_.R));
+  } else {
+    errors_.placed(world_from_cam, placed_by(placed));
+  }
+  errors_.drawn_to_prior(world_from_cam, motion_.draw());
+  foretold_.setZero();
+  missed_in_a_row_ = 0;
+}
+
+// The inliers.
+std::vector<PlacedBy> MapTracker::placed_by(const Placed& placed) const {
+  const Pose& cam_from_before = placed.pose.cam_from_reference;
+  std::vector<PlacedBy> points;
+  for (std::size_t i = 0; i < placed.matches.size(); ++i) {
+    const MapMatch& match = placed.matches[i];
+    if (!placed.pose.inliers[i]) continue;
+    PlacedBy point;
+    point.ref = placed.points[i].ref;
+    point.x_in_cam = cam_from_before * match.X;
+    point.S = cam_from_before.R * match.S * cam_from_before.R.transpose();
+    point.ray_residual = point.x_in_cam.head<2>() / point.x_in_cam.z() - match.ray.head<2>();
+    point.ray_sigma = placed.pose.ray_scale * match.sigma;
+    if (match.z > 0) {
+      const double sigma = placed.pose.depth_scale * options_.depth_noise.sigma(match.z);
+      point.z_residual = point.x_in_cam.z() - match.z;
+      if (std::abs(point.z_residual) < 3 * std::hypot(sigma, std::sqrt(point.S(2, 2)))) point.z_sigma = sigma;
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
 MapTrack MapTracker::missed(std::shared_ptr<MapFrame> frame) {
   MapTrack track;
+  ++missed_in_a_row_;  // the first of them changes the speed, and so all that follow
+  const Matrix6d departure = missed_in_a_row_ * missed_in_a_row_ * motion_.departure();
   motion_.coast(frame->time);
   track.world_from_cam = motion_.predict(frame->time);
+  errors_.moved(track.world_from_cam, departure);
+  foretold_ += departure;
+  track.step.covariance = errors_.step_covariance(world_from_before_, track.world_from_cam);
   track.step.status =
       frame->time - time_measured_ <= options_.map.max_coast ? Status::kPredicted : Status::kLost;
   track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_before_;
@@ -431,10 +462,18 @@ MapTrack MapTracker::missed(std::shared_ptr<MapFrame> frame) {
   return track;
 }
 
+Keyframe& MapTracker::add_keyframe(std::shared_ptr<const MapFrame> frame, const Pose& world_from_cam) {
+  const int oldest = map_.first_id();
+  map_.empty() ? errors_.start() : errors_.become_keyframe();
+  Keyframe& keyframe = map_.add(std::move(frame), world_from_cam);
+  if (map_.first_id() > oldest) errors_.forget_oldest();
+  return keyframe;
+}
+
 void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam,
                                  const Placed* placed, const std::vector<TrackedPoint>& traced) {
   describe(*frame, camera_, options_.map);
-  Keyframe& keyframe = map_.add(frame, world_from_cam);
+  Keyframe& keyframe = add_keyframe(frame, world_from_cam);
   keyframe.shutter = shutter_;
   map_.set_readout(readout_.seconds(), camera_);
   std::vector<TrackedPoint> taken;

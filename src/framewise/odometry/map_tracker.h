@@ -13,6 +13,7 @@
 #include "framewise/odometry/map_pose.h"
 #include "framewise/odometry/motion_filter.h"
 #include "framewise/odometry/odometer.h"
+#include "framewise/odometry/pose_errors.h"
 #include "framewise/odometry/step.h"
 #include "framewise/odometry/two_view_start.h"
 #include "framewise/odometry/window_adjustment.h"
@@ -49,6 +50,9 @@ class MapTracker {
   };
 
   Correspondences seen_from_before(const Placed& placed) const;
+  std::vector<PlacedBy> placed_by(const Placed& placed) const;
+  void follow_errors(const Placed& placed);
+  Keyframe& add_keyframe(std::shared_ptr<const MapFrame> frame, const Pose& world_from_cam);
   MapTrack start(std::shared_ptr<MapFrame> frame);
   MapTrack start_without_depth(std::shared_ptr<MapFrame> frame);
   void build_from_two_views(std::shared_ptr<MapFrame> frame, TwoViewStart& two_views);
@@ -88,7 +92,9 @@ class MapTracker {
   MotionFilter steady_{false};  // as it was at the last measured frame: vehicles do not stop in the dark
   Pose world_from_before_, world_from_earlier_;  // the frame before, and the one before that
   double time_before_ = 0, time_measured_ = 0;
-  Matrix6d covariance_before_ = Matrix6d::Zero();  // in its own axes
+  PoseErrors errors_;
+  Matrix6d foretold_ = Matrix6d::Zero();  // how far cameras may have departed since one was measured
+  int missed_in_a_row_ = 0;
   // The frame before, and the last one whose pose was measured, to relate a frame to where the map fails.
   FrameView before_, measured_;
   Pose world_from_measured_;

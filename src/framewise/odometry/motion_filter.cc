@@ -36,6 +36,7 @@ Eigen::Vector3d MotionFilter::Axes::update(const Eigen::Vector3d& e, double nois
   constexpr double kSudden = 6;  // times the mean square: noise is seldom so large
   const double expected = square > kSudden * innovation ? square : innovation;
   const double alpha = shrinks && expected > 0 ? std::clamp(1 - noise / expected, kLeastGain, 1.0) : 1;
+  taken = alpha;
   const double beta = 2 * (2 - alpha) - 4 * std::sqrt(1 - alpha);
   velocity += std::min(1.0, beta) * e / dt;
   return alpha * e;
@@ -50,10 +51,18 @@ Pose MotionFilter::update(double time, const Pose& measured, const Matrix6d& cov
   const Eigen::Vector3d turned =
       rotation_.update(so3_log(predicted.R.transpose() * measured.R), rotation_noise, dt, shrinks);
   const Eigen::Vector3d moved = position_.update(measured.t - predicted.t, position_noise, dt, shrinks);
+  draw_ = {rotation_.taken, position_.taken, rotation_.innovation, position_.innovation};
   time_ = time;
   world_from_cam_ = shrinks ? Pose{predicted.R * so3_exp(turned), predicted.t + moved} : measured;
   world_from_cam_.R = nearest_rotation(world_from_cam_.R);  // of thousands of products
   return world_from_cam_;
+}
+
+Matrix6d MotionFilter::departure() const {
+  const auto square = [](const Axes& axes) { return axes.innovation < 0 ? 1.0 : axes.innovation; };
+  Vector6d squares;
+  squares << Eigen::Vector3d::Constant(square(rotation_)), Eigen::Vector3d::Constant(square(position_));
+  return squares.asDiagonal();
 }
 
 void MotionFilter::coast(double time) {

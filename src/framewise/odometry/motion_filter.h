@@ -6,6 +6,13 @@
 
 namespace framewise {
 
+// How far a measured pose was taken (1: wholly) and the mean square of its innovation (per axis), of the
+// rotation and of the position.
+struct PriorDraw {
+  double rotation = 1, position = 1;
+  double rotation_innovation = 0, position_innovation = 0;
+};
+
 // How a camera goes on: it keeps turning about its own axes and moving through the world as it did, and how
 // far it departs from that is learned from how far it did. What a measured pose says is taken as far as it is
 // more certain than that: where the step is below what the data can tell, the camera goes on as before, and
@@ -26,11 +33,17 @@ class MotionFilter {
   // the camera's axes and position in the world's. Without shrinking this is the measured pose.
   Pose update(double time, const Pose& world_from_cam, const Matrix6d& covariance);
 
+  const PriorDraw& draw() const { return draw_; }  // of the last update
+
   // No pose was measured: the camera goes on as it did, and slower and slower.
   void coast(double time);
 
   // Poses of the map have moved: of the newest pose, from what was believed to what is believed now.
   void correct(const Pose& new_from_old);
+
+  // How far a camera departs from its prediction in a frame, as it did so far: covariance as in update. The
+  // identity where nothing is known of it.
+  Matrix6d departure() const;
 
   // cam2_from_cam1 of a camera that is now and was or will be `delay` seconds later.
   Pose motion_during(double delay) const;
@@ -40,6 +53,7 @@ class MotionFilter {
   struct Axes {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
     double innovation = -1;  // its mean square (per axis); negative: none yet
+    double taken = 1;        // of the last innovation
     Eigen::Vector3d update(const Eigen::Vector3d& e, double noise, double dt, bool shrinks);
   };
 
@@ -48,6 +62,7 @@ class MotionFilter {
   Pose world_from_cam_;
   Axes rotation_, position_;
   int updates_ = 0;
+  PriorDraw draw_;
 };
 
 }  // namespace framewise

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/odometry/pose_errors.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "framewise/geometry/so3.h"
+
+namespace framewise {
+namespace {
+
+using Matrix63 = Eigen::Matrix<double, 6, 3>;
+using Matrix36 = Eigen::Matrix<double, 3, 6>;
+
+bool before(const PointRef& a, const PointRef& b) {
+  return std::tie(a.keyframe, a.point) < std::tie(b.keyframe, b.point);
+}
+
+// d (ray, depth) / d x_in_cam; no depth: a row of zeros.
+Eigen::Matrix3d measured_by_position(const PlacedBy& point) {
+  const Eigen::Vector3d& x = point.x_in_cam;
+  const double iz = 1 / x.z();
+  Eigen::Matrix3d M;
+  M << iz, 0, -x.x() * iz * iz, 0, iz, -x.y() * iz * iz, 0, 0, point.z_sigma > 0 ? 1 : 0;
+  return M;
+}
+
+// Of measurements of which the third may be missing.
+Eigen::Matrix3d information(const Eigen::Matrix3d& covariance, bool has_depth) {
+  if (has_depth) return covariance.inverse();
+  Eigen::Matrix3d W = Eigen::Matrix3d::Zero();
+  W.topLeftCorner<2, 2>() = covariance.topLeftCorner<2, 2>().inverse();
+  return W;
+}
+
+// How many times larger the variances of sums over neighbouring residuals are than if they were independent.
+struct Likeness {
+  double ray, z;
+};
+Likeness likeness_of_neighbours(const std::vector<PlacedBy>& points) {
+  constexpr int kCells = 16;
+  static const double kCell =
+      getenv("CELL") ? atof(getenv("CELL")) : 0.125;  // of the plane z = 1: a view of 90 degrees is 16 across
+  std::array<Eigen::Vector3d, kCells * kCells> sums;
+  sums.fill(Eigen::Vector3d::Zero());
+  Eigen::Array3d squares = Eigen::Array3d::Zero(), of_sums = Eigen::Array3d::Zero();
+  for (const PlacedBy& point : points) {
+    const auto cell = [&](double x) {
+      return std::clamp(static_cast<int>(std::floor(x / kCell)) + kCells / 2, 0, kCells - 1);
+    };
+    const Eigen::Vector3d& x = point.x_in_cam;
+    Eigen::Vector3d r;
+    r << point.ray_residual / point.ray_sigma,
+        point.z_sigma > 0 ? point.z_residual / std::hypot(point.z_sigma, std::sqrt(point.S(2, 2))) : 0;
+    sums[cell(x.x() / x.z()) * kCells + cell(x.y() / x.z())] += r;
+    squares += r.array().square();
+  }
+  for (const Eigen::Vector3d& sum : sums) of_sums += sum.array().square();
+  const double rays = squares.x() + squares.y();
+  return {rays > 0 ? std::max(1.0, (of_sums.x() + of_sums.y()) / rays) : 1,
+          squares.z() > 0 ? std::max(1.0, of_sums.z() / squares.z()) : 1};
+}
+
+// Mean squares of residuals over what they are said to be: robust scales do not see their tails.
+std::pair<double, double> tails(const std::vector<PlacedBy>& points) {
+  double ray = 0, z = 0, zs = 0;
+  for (const PlacedBy& point : points) {
+    const Eigen::Matrix3d M = measured_by_position(point);
+    const Eigen::Matrix3d S = M * point.S * M.transpose();
+    const Eigen::Matrix2d C =
+        S.topLeftCorner<2, 2>() + point.ray_sigma * point.ray_sigma * Eigen::Matrix2d::Identity();
+    ray += point.ray_residual.dot(C.inverse() * point.ray_residual) / 2;
+    if (!(point.z_sigma > 0)) continue;
+    z += point.z_residual * point.z_residual / (point.z_sigma * point.z_sigma + S(2, 2));
+    ++zs;
+  }
+  return {points.empty() ? 1 : ray / static_cast<double>(points.size()), zs > 0 ? z / zs : 1};
+}
+
+// Of what is a covariance but for rounding and for what is left out to first order.
+Matrix6d positive_part(const Matrix6d& A) {
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(0.5 * (A + A.transpose()));
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+Matrix6d symmetric(const Matrix6d& A) { return 0.5 * (A + A.transpose()); }
+
+}  // namespace
+
+void PoseErrors::start() {
+  *this = {};
+  keyframes_ = Eigen::MatrixXd::Zero(6, 6);
+  last_.with_keyframes.setZero(6, 6);
+  last_.is_keyframe = true;
+}
+
+PoseErrors::Changes PoseErrors::changes_since_last(const std::vector<PlacedBy>& points) const {
+  constexpr double kEnough = 20;
+  double ray = 0, rays = 0, z = 0, zs = 0;
+  auto earlier = last_.gains.begin();
+  for (const PlacedBy& point : points) {
+    while (earlier != last_.gains.end() && before(earlier->ref, point.ref)) ++earlier;
+    if (earlier == last_.gains.end()) break;
+    if (before(point.ref, earlier->ref)) continue;
+    ray += (point.ray_residual - earlier->residual.head<2>()).squaredNorm() /
+           (4 * point.ray_sigma * point.ray_sigma);
+    ++rays;
+    if (!(point.z_sigma > 0) || !earlier->by_error.col(2).any()) continue;
+    z += std::pow((point.z_residual - earlier->residual.z()) / point.z_sigma, 2) / 2;
+    ++zs;
+  }
+  Changes changes;
+  if (rays >= kEnough) changes.ray = ray / rays;
+  if (zs >= kEnough) changes.z = z / zs;
+  return changes;
+}
+
+void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>& points) {
+  const Changes changes = changes_since_last(points);
+  const auto [ray_tails, z_tails] = tails(points);
+  const Likeness alike = likeness_of_neighbours(points);
+  const Eigen::Matrix3d cam_from_world = world_from_cam.R.transpose();
+  const auto count = static_cast<int>(keyframes_.rows() / 6);
+
+  Matrix6d H = Matrix6d::Zero(), noise = Matrix6d::Zero(), repeated = Matrix6d::Zero();
+  std::vector<Matrix6d> by_host(count, Matrix6d::Zero());
+  std::vector<Gain> gains;
+  std::vector<Eigen::Matrix3d> new_noise;
+  for (const PlacedBy& point : points) {
+    const Eigen::Matrix3d M = measured_by_position(point);
+    const Eigen::Vector3d x_in_world = world_from_cam * point.x_in_cam;
+    Matrix36 J;
+    J << M * cam_from_world * skew(x_in_world), -M * cam_from_world;
+    const double ray = point.ray_sigma * point.ray_sigma, z = point.z_sigma * point.z_sigma;
+    const Eigen::Matrix3d shown = Eigen::Vector3d(ray, ray, z).asDiagonal();
+    const Eigen::Matrix3d S = M * point.S * M.transpose();
+    const Matrix63 JtW = J.transpose() * information(shown + S, z > 0);
+    H += JtW * J;
+    if (point.ref.keyframe >= first_id_) by_host[point.ref.keyframe - first_id_] += JtW * J;
+    const double new_ray = std::min(changes.ray, ray_tails), new_z = std::min(changes.z, z_tails);
+    const Eigen::Vector3d likeness(alike.ray, alike.ray, alike.z);
+    const Eigen::Vector3d anew(new_ray * ray, new_ray * ray, new_z * z);
+    const Eigen::Vector3d all(ray_tails * ray, ray_tails * ray, z_tails * z);
+    const Eigen::Matrix3d own = likeness.cwiseProduct(anew).asDiagonal();
+    Eigen::Matrix3d again = alike.z * S;
+    again += likeness.cwiseProduct(all - anew).asDiagonal();
+    noise += JtW * own * JtW.transpose();
+    repeated += JtW * again * JtW.transpose();
+    gains.push_back(
+        {point.ref, JtW, again, {point.ray_residual.x(), point.ray_residual.y(), point.z_residual}});
+  }
+  const Eigen::FullPivLU<Matrix6d> lu(H);
+  if (points.size() < 3 || !lu.isInvertible()) return moved(world_from_cam, Matrix6d::Identity());
+  const Matrix6d inverse = lu.inverse();
+  noise = inverse * noise * inverse.transpose();
+  repeated = inverse * repeated * inverse.transpose();
+
+  CameraErrors now;
+  now.with_keyframes.setZero(6, keyframes_.cols());
+  Matrix6d with_last = Matrix6d::Zero();
+  for (int i = 0; i < count; ++i) {
+    by_host[i] = inverse * by_host[i];
+    now.with_keyframes += by_host[i] * keyframes_.middleRows(6 * i, 6);
+    with_last += by_host[i] * last_.with_keyframes.middleCols(6 * i, 6).transpose();
+  }
+  now.covariance = noise + repeated;
+  for (int i = 0; i < count; ++i)
+    now.covariance += now.with_keyframes.middleCols(6 * i, 6) * by_host[i].transpose();
+
+  Matrix6d by_points = Matrix6d::Zero();  // what both cameras have of the same points' errors
+  auto earlier = last_.gains.begin();
+  for (Gain& gain : gains) {
+    gain.by_error = inverse * gain.by_error;
+    while (earlier != last_.gains.end() && before(earlier->ref, gain.ref)) ++earlier;
+    if (earlier == last_.gains.end() || before(gain.ref, earlier->ref)) continue;
+    const Eigen::Matrix3d& both =
+        gain.repeated.trace() < earlier->repeated.trace() ? gain.repeated : earlier->repeated;
+    by_points += gain.by_error * both * earlier->by_error.transpose();
+  }
+  if (last_.is_keyframe) {
+    const Matrix6d share = by_host[count - 1] * by_points.transpose();
+    now.covariance += share + share.transpose();
+    now.with_keyframes.rightCols<6>() += by_points;
+  }
+  with_last += by_points;
+  now.covariance = symmetric(now.covariance);
+  now.gains = std::move(gains);
+  difference_ =
+      noise + positive_part(now.covariance + last_.covariance - with_last - with_last.transpose() - noise);
+  last_with_earlier_ = with_last;
+  earlier_ = std::move(last_);
+  last_ = std::move(now);
+}
+
+// xi = A xi_placed + (1 - A) xi_earlier + lag.
+void PoseErrors::drawn_to_prior(const Pose& world_from_cam, const PriorDraw& draw) {
+  if (last_.gains.empty() || (draw.rotation >= 1 && draw.position >= 1)) return;
+  // (rotation in the camera's axes, position) from xi, and back.
+  Matrix6d from_xi = Matrix6d::Identity(), to_xi = Matrix6d::Identity();
+  from_xi.topLeftCorner<3, 3>() = world_from_cam.R.transpose();
+  from_xi.bottomLeftCorner<3, 3>() = -skew(world_from_cam.t);
+  to_xi.topLeftCorner<3, 3>() = world_from_cam.R;
+  to_xi.bottomLeftCorner<3, 3>() = skew(world_from_cam.t) * world_from_cam.R;
+  const Matrix6d placed = from_xi * difference_ * from_xi.transpose();
+  Vector6d taken, lag;
+  const auto left_of = [](double alpha, double innovation, double noise) {
+    return (1 - alpha) * (1 - alpha) * std::max(0.0, innovation - noise);
+  };
+  taken << Eigen::Vector3d::Constant(draw.rotation), Eigen::Vector3d::Constant(draw.position);
+  lag << Eigen::Vector3d::Constant(
+      left_of(draw.rotation, draw.rotation_innovation, placed.topLeftCorner<3, 3>().trace() / 3)),
+      Eigen::Vector3d::Constant(
+          left_of(draw.position, draw.position_innovation, placed.bottomRightCorner<3, 3>().trace() / 3));
+  const Matrix6d A = to_xi * taken.asDiagonal() * from_xi, rest = Matrix6d::Identity() - A;
+  const Matrix6d late = to_xi * lag.asDiagonal() * to_xi.transpose();
+  const Matrix6d cross = A * last_with_earlier_ * rest.transpose();
+  last_.covariance = symmetric(A * last_.covariance * A.transpose() + cross + cross.transpose() +
+                               rest * earlier_.covariance * rest.transpose() + late);
+  last_.with_keyframes = A * last_.with_keyframes + rest * earlier_.with_keyframes;
+  for (Gain& gain : last_.gains) gain.by_error = A * gain.by_error;
+  difference_ = symmetric(A * difference_ * A.transpose() + late);
+}
+
+void PoseErrors::moved(const Pose& world_from_cam, const Matrix6d& covariance) {
+  Matrix6d J = Matrix6d::Zero();
+  J.topLeftCorner<3, 3>() = world_from_cam.R;
+  J.bottomLeftCorner<3, 3>() = skew(world_from_cam.t) * world_from_cam.R;
+  J.bottomRightCorner<3, 3>().setIdentity();
+  difference_ = symmetric(J * covariance * J.transpose());
+  last_.covariance += difference_;
+  last_.gains.clear();
+  last_.is_keyframe = false;
+}
+
+void PoseErrors::become_keyframe() {
+  const Eigen::Index n = keyframes_.rows();
+  Eigen::MatrixXd grown(n + 6, n + 6);
+  grown.topLeftCorner(n, n) = keyframes_;
+  grown.bottomLeftCorner(6, n) = last_.with_keyframes;
+  grown.topRightCorner(n, 6) = last_.with_keyframes.transpose();
+  grown.bottomRightCorner<6, 6>() = last_.covariance;
+  keyframes_ = std::move(grown);
+  last_.with_keyframes.conservativeResize(6, n + 6);
+  last_.with_keyframes.rightCols<6>() = last_.covariance;
+  last_.is_keyframe = true;
+}
+
+void PoseErrors::forget_oldest() {
+  const Eigen::Index n = keyframes_.rows() - 6;
+  keyframes_ = Eigen::MatrixXd(keyframes_.bottomRightCorner(n, n));
+  last_.with_keyframes = Eigen::Matrix<double, 6, Eigen::Dynamic>(last_.with_keyframes.rightCols(n));
+  ++first_id_;
+}
+
+// world_from_cam2^-1 exp(xi1 - xi2) world_from_cam1 = cam2_from_cam1 exp(Ad(cam1_from_world) (xi1 - xi2)).
+Matrix6d PoseErrors::step_covariance(const Pose& world_from_cam1, const Pose& world_from_cam2) const {
+  const Eigen::Matrix3d cam1_from_world = world_from_cam1.R.transpose();
+  const Eigen::Matrix3d cam2_from_world = world_from_cam2.R.transpose();
+  Matrix6d J = Matrix6d::Zero();
+  J.topLeftCorner<3, 3>() = cam1_from_world;
+  J.bottomLeftCorner<3, 3>() = -cam2_from_world * skew(world_from_cam1.t);
+  J.bottomRightCorner<3, 3>() = cam2_from_world;
+  return symmetric(J * difference_ * J.transpose());
+}
+
+}  // namespace framewise
