@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "framewise/geometry/triangulation.h"
@@ -77,6 +78,31 @@ TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2
     start.points.clear(), start.seen_by.clear();
   }
   return start;
+}
+
+SeenByBoth add_two_views(LocalMap& map, std::shared_ptr<const MapFrame> frame2, const TwoViewStart& two_views,
+                         double length, const Camera& camera, const MapOptions& options) {
+  const int host_id = map.newest_id();
+  Pose cam2_from_cam1 = two_views.cam2_from_cam1;
+  cam2_from_cam1.t *= length;
+  const int viewer_id =
+      map.add(std::move(frame2), map.at(host_id).world_from_cam * cam2_from_cam1.inverse()).id;
+  Keyframe& host = map.at(host_id);
+  SeenByBoth seen;
+  for (std::size_t i = 0; i < two_views.points.size(); ++i) {
+    MapPoint point = two_views.points[i];
+    point.inverse_z /= length;
+    point.variance /= length * length;
+    const FeaturePair& pair = two_views.seen_by[i];
+    point.views.push_back(
+        {viewer_id, pair.ray2, std::max(options.least_sigma_px, pair.sigma_px) / std::abs(camera.fx),
+         std::numeric_limits<double>::quiet_NaN(), pair.ray2, row_of(camera, pair.pixel2.y())});
+    const PointRef ref{host_id, static_cast<int>(host.points.size())};
+    host.points.push_back(std::move(point));
+    seen.by_first.push_back({ref, host.frame->pixel(pair.feature1), host.frame->rays[pair.feature1], 1});
+    seen.by_second.push_back({ref, pair.pixel2, pair.ray2, pair.sigma_px});
+  }
+  return seen;
 }
 
 }  // namespace framewise
