@@ -52,7 +52,9 @@ MapTrack MapTracker::add(std::shared_ptr<MapFrame> frame) {
   auto placed = place(*frame, motion_.predict(frame->time), view());
   const bool was_missed = time_before_ > time_measured_;
   if (!placed && was_missed) placed = place(*frame, steady_.predict(frame->time), view());
-  return placed ? measured(std::move(frame), *placed) : missed(std::move(frame));
+  if (!placed) return missed(std::move(frame));
+  meanwhile_.reset();
+  return measured(std::move(frame), *placed);
 }
 
 MapTrack MapTracker::start(std::shared_ptr<MapFrame> frame) {
@@ -197,22 +199,61 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
 
 MapTrack MapTracker::missed(std::shared_ptr<MapFrame> frame) {
   MapTrack track;
+  const Pose world_from_earlier = world_from_before_;
   motion_.coast(frame->time);
-  track.world_from_cam = motion_.predict(frame->time);
+  world_from_before_ = motion_.predict(frame->time);
+  const bool is_followed = follow_meanwhile(frame);
+  track.world_from_cam = world_from_before_;
+  track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_earlier;
   track.step.status =
       frame->time - time_measured_ <= options_.map.max_coast ? Status::kPredicted : Status::kLost;
-  track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_before_;
-  world_from_before_ = track.world_from_cam;
   time_before_ = frame->time;
-  // What is not found again is a new place: a map goes on from where the camera is believed to be.
-  constexpr int kEnoughToSee = 200;
-  if (track.step.status == Status::kLost && static_cast<int>(frame->rays.size()) >= kEnoughToSee) {
-    has_points_ = frame->has_depth;
-    become_keyframe(frame, track.world_from_cam, nullptr);
-    time_measured_ = frame->time;
-  }
+  // What is not found again is given up for what is seen instead.
+  if (track.step.status == Status::kLost && is_followed) go_on_as_meanwhile();
   remember(*frame, track.world_from_cam);
   return track;
+}
+
+// A camera that does not see the map may well see how it moves. Whether it does: what is no place (noise, a
+// wall) is not found again in the next frame.
+bool MapTracker::follow_meanwhile(std::shared_ptr<MapFrame> frame) {
+  if (meanwhile_) {
+    // It may keep the frame and let its depth go, and be given up all the same.
+    const MapTrack track = meanwhile_->add(std::make_shared<MapFrame>(*frame));
+    if (track.step.status == Status::kRotationOnly) {
+      world_from_before_.R = world_from_meanwhile_.R * track.world_from_cam.R;
+      return true;
+    }
+    if (is_measured(track.step.status)) {
+      world_from_before_ = world_from_meanwhile_ * track.world_from_cam;
+      motion_ = meanwhile_->motion_;
+      motion_.correct(world_from_meanwhile_);
+      return true;
+    }
+  }
+  meanwhile_ = std::make_unique<MapTracker>(camera_, options_, known_);
+  meanwhile_->lens_ = lens_;
+  meanwhile_->readout_ = readout_;
+  meanwhile_->speed_ = speed_;
+  meanwhile_->add(frame);
+  world_from_meanwhile_ = world_from_before_;
+  meanwhile_->motion_ = motion_;
+  meanwhile_->motion_.correct(world_from_meanwhile_.inverse());
+  return false;
+}
+
+void MapTracker::go_on_as_meanwhile() {
+  const std::unique_ptr<MapTracker> other = std::move(meanwhile_);
+  map_.go_on_as(other->map_, world_from_meanwhile_);
+  camera_ = other->camera_;
+  lens_ = other->lens_;
+  readout_ = other->readout_;
+  shutter_ = other->shutter_;
+  covariance_before_ = other->covariance_before_;
+  points_at_keyframe_ = other->points_at_keyframe_;
+  has_points_ = other->has_points_;
+  speed_ = other->speed_;
+  time_measured_ = time_before_;
 }
 
 void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam,

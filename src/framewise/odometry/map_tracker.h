@@ -22,6 +22,12 @@ struct MapTrack {
   Correspondences seen;  // map points: where the frame before would see them and where this one does
 };
 
+// What a recording taught of its camera.
+struct LearnedCamera {
+  double k1_correction = 0;  // of the first radial coefficient, to be added to the calibration's
+  double readout = 0;        // of the rolling shutter, first row to last (s)
+};
+
 // The default odometer's serial part: frames come in their order, and each is placed against the keyframes
 // and points of the ones before.
 class MapTracker {
@@ -34,6 +40,8 @@ class MapTracker {
   // world_from_cam of all frames as the keyframes ended: what the frames after them taught is in it.
   std::vector<Pose> final_poses() const { return trajectory_.poses(map_); }
 
+  LearnedCamera learned() const { return {lens_.correction(), readout_.seconds()}; }
+
  private:
   MapTrack start(std::shared_ptr<MapFrame> frame);
   MapTrack start_without_depth(std::shared_ptr<MapFrame> frame);
@@ -42,6 +50,8 @@ class MapTracker {
   double first_length(const MapFrame& frame1, const MapFrame& frame2) const;
   MapTrack measured(std::shared_ptr<MapFrame> frame, const Placed& placed);
   MapTrack missed(std::shared_ptr<MapFrame> frame);
+  bool follow_meanwhile(std::shared_ptr<MapFrame> frame);
+  void go_on_as_meanwhile();
 
   MapView view() const;
   void become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam, const Placed* placed,
@@ -70,6 +80,10 @@ class MapTracker {
   AnchoredTrajectory trajectory_;
   // Frames that a map without depth has begun after, by their place in the trajectory.
   std::vector<std::pair<std::size_t, std::shared_ptr<const MapFrame>>> waiting_;
+  // While the map is not seen, what is seen instead: a map of its own, begun where the camera was believed to
+  // be then.
+  std::unique_ptr<MapTracker> meanwhile_;
+  Pose world_from_meanwhile_;
 };
 
 }  // namespace framewise
