@@ -157,6 +157,26 @@ TEST(RunMapOdometry, FollowsAnUnknownPlaceAndAnnouncesThatItsPoseIsForetold) {
   EXPECT_LT(angle_error(from(8, 25), true_from(8, 25)), 0.004);
 }
 
+// Where depth gave the map its metres, a part without depth has none: it is not passed off as measured.
+TEST(RunMapOdometry, NoLengthIsGuessedWhereLengthsWereMeasured) {
+  const Boxes boxes;
+  FrameSource source = boxes.source(24, [](std::size_t i) {
+    Pose pose = sideways(i);
+    if (i > 7) pose.t.x() += 9;
+    return pose;
+  });
+  source.load = [load = source.load](std::size_t i) {
+    Frame frame = load(i);
+    if (i > 7) frame.depth.release();
+    return frame;
+  };
+  const auto result = run(source);
+  for (std::size_t i = 8; i < 24; ++i) {
+    const Status status = result.causal[i].step.status;
+    EXPECT_TRUE(status != Status::kOk && status != Status::kLowParallax) << i;
+  }
+}
+
 TEST(RunMapOdometry, AGapInTheStampsIsAMotionLikeAnyOther) {
   const Boxes boxes;
   const auto kept = [](std::size_t i) { return i < 8 ? i : i + 5; };

@@ -85,8 +85,8 @@ MapTrack MapTracker::start_without_depth(std::shared_ptr<MapFrame> frame) {
   track.step.inliers = two_views.inliers;
   track.step.iterations = two_views.iterations;
   track.world_from_cam = world_from_before_;
-  if (two_views.kind == TwoViewStart::Kind::kTriangulated) {
-    build_from_two_views(frame, two_views);
+  if (const auto length = first_length(*first.frame, *frame, two_views)) {
+    build_from_two_views(frame, two_views, *length);
     track.step.status = Status::kOk;
     track.world_from_cam = map_.newest().world_from_cam;
   } else if (two_views.kind == TwoViewStart::Kind::kTurned) {
@@ -134,8 +134,13 @@ void MapTracker::place_waiting() {
   waiting_.clear();
 }
 
-// A new part of the map goes on as fast as the last one ended.
-double MapTracker::first_length(const MapFrame& frame1, const MapFrame& frame2) const {
+// By depth where there is some; else a new part of the map goes on as fast as the last one ended, unless that
+// was in metres, which no guess is. The first part of all begins with the truth's length or with 1.
+std::optional<double> MapTracker::first_length(const MapFrame& frame1, const MapFrame& frame2,
+                                               const TwoViewStart& two_views) const {
+  if (two_views.kind != TwoViewStart::Kind::kTriangulated) return std::nullopt;
+  if (const auto length = length_by_depth(two_views, frame2, camera_, options_.depth)) return length;
+  if (is_metric_) return std::nullopt;
   if (const double length = speed_ * (frame2.time - frame1.time); length > 0) return length;
   if (options_.scale != "truth" || !known_.truth) return 1;
   const auto pose1 = known_.truth(frame1.index), pose2 = known_.truth(frame2.index);
@@ -143,8 +148,8 @@ double MapTracker::first_length(const MapFrame& frame1, const MapFrame& frame2) 
   return length > 0 ? length : 1;
 }
 
-void MapTracker::build_from_two_views(std::shared_ptr<MapFrame> frame, const TwoViewStart& two_views) {
-  const double length = first_length(*map_.newest().frame, *frame);
+void MapTracker::build_from_two_views(std::shared_ptr<MapFrame> frame, const TwoViewStart& two_views,
+                                      double length) {
   const SeenByBoth seen = add_two_views(map_, std::move(frame), two_views, length, camera_, options_.map);
   const int viewer = map_.newest_id(), host = viewer - 1;
   has_points_ = true;
@@ -235,6 +240,7 @@ bool MapTracker::follow_meanwhile(std::shared_ptr<MapFrame> frame) {
   meanwhile_->lens_ = lens_;
   meanwhile_->readout_ = readout_;
   meanwhile_->speed_ = speed_;
+  meanwhile_->is_metric_ = is_metric_;
   meanwhile_->add(frame);
   world_from_meanwhile_ = world_from_before_;
   meanwhile_->motion_ = motion_;
@@ -253,6 +259,7 @@ void MapTracker::go_on_as_meanwhile() {
   points_at_keyframe_ = other->points_at_keyframe_;
   has_points_ = other->has_points_;
   speed_ = other->speed_;
+  is_metric_ = other->is_metric_;
   time_measured_ = time_before_;
 }
 
@@ -289,7 +296,8 @@ void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& wo
   const Pose depth_from_cam = options_.map.follow ? motion_.motion_during(frame->depth_delay) : Pose();
   add_points_with_depth(keyframe, taken, depth_from_cam, camera_, options_);
   const int points_added = static_cast<int>(keyframe.points.size());
-  has_points_ |= static_cast<int>(keyframe.points.size()) >= 2 * options_.map.min_inliers;
+  if (static_cast<int>(keyframe.points.size()) >= 2 * options_.map.min_inliers)
+    has_points_ = is_metric_ = true;
   const bool has_depth = !frame->depth.empty();
   frame->depth.release();  // its points have it
   if (placed && has_depth) grow();

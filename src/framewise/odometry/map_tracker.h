@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "framewise/odometry/anchored_trajectory.h"
@@ -45,9 +46,10 @@ class MapTracker {
  private:
   MapTrack start(std::shared_ptr<MapFrame> frame);
   MapTrack start_without_depth(std::shared_ptr<MapFrame> frame);
-  void build_from_two_views(std::shared_ptr<MapFrame> frame, const TwoViewStart& two_views);
+  void build_from_two_views(std::shared_ptr<MapFrame> frame, const TwoViewStart& two_views, double length);
   void place_waiting();
-  double first_length(const MapFrame& frame1, const MapFrame& frame2) const;
+  std::optional<double> first_length(const MapFrame& frame1, const MapFrame& frame2,
+                                     const TwoViewStart& two_views) const;
   MapTrack measured(std::shared_ptr<MapFrame> frame, const Placed& placed);
   MapTrack missed(std::shared_ptr<MapFrame> frame);
   bool follow_meanwhile(std::shared_ptr<MapFrame> frame);
@@ -76,6 +78,7 @@ class MapTracker {
   Shutter shutter_;  // of the newest frame
   RecentTurns turns_;
   double speed_ = 0;         // of the camera, when it was last measured (m/s, or the map's unit)
+  bool is_metric_ = false;   // by depth that was seen
   bool has_points_ = false;  // the map has a length and can be tracked against
   AnchoredTrajectory trajectory_;
   // Frames that a map without depth has begun after, by their place in the trajectory.

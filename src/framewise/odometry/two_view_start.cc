@@ -80,6 +80,21 @@ TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2
   return start;
 }
 
+std::optional<double> length_by_depth(const TwoViewStart& two_views, const MapFrame& frame2,
+                                      const Camera& camera, const DepthLookupOptions& options) {
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < two_views.points.size(); ++i) {
+    const double unit_z = (two_views.cam2_from_cam1 * two_views.points[i].position()).z();
+    const auto z = depth_along(frame2, two_views.seen_by[i].ray2, {}, camera, options);
+    if (z && unit_z > 0) lengths.push_back(*z / unit_z);
+  }
+  constexpr std::size_t kFewest = 10;  // half of which may be of other surfaces
+  if (lengths.size() < kFewest) return std::nullopt;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
 SeenByBoth add_two_views(LocalMap& map, std::shared_ptr<const MapFrame> frame2, const TwoViewStart& two_views,
                          double length, const Camera& camera, const MapOptions& options) {
   const int host_id = map.newest_id();

@@ -39,6 +39,11 @@ struct TwoViewStart {
 TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2, const Camera& camera,
                                   const TwoViewOptions& options);
 
+// The motion's length (m) by the depth image of camera 2: the median of what its points say. Empty where too
+// few have depth there.
+std::optional<double> length_by_depth(const TwoViewStart& two_views, const MapFrame& frame2,
+                                      const Camera& camera, const DepthLookupOptions& options);
+
 // A map's first points, where either keyframe has them.
 struct SeenByBoth {
   std::vector<TrackedPoint> by_first, by_second;
