@@ -166,9 +166,8 @@ FrameSource frame_source(const RunCommand& command, const Recording& recording, 
           knowledge(command, recording)};
 }
 
-// Returns the poses as they are known in the end.
-std::vector<Pose> run_map(const RunCommand& command, const Recording& recording, const Clock& clock,
-                          const FrameSink& sink, Catch& caught) {
+MapRun run_map(const RunCommand& command, const Recording& recording, const Clock& clock,
+               const FrameSink& sink, Catch& caught) {
   const FrameSource source = frame_source(command, recording, caught);
   OdometryTaps taps;
   taps.pair = [&](std::size_t, std::size_t j, const Correspondences& seen) { caught.pairs.see(j, seen); };
@@ -209,6 +208,10 @@ Json resolved_options(const RunCommand& command, const Recording& recording) {
   return options;
 }
 
+Json learned_json(const LearnedCamera& learned) {
+  return {{"k1_correction", learned.k1_correction}, {"readout_s", learned.readout}};
+}
+
 int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
   if (!command.config.empty()) apply_config(app, command.config);
   // Whether a scale alone is of a map or of a method, the recording's depth decides.
@@ -231,7 +234,7 @@ int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
   if (!command.no_report) caught.keeper.emplace(command.out / kReportData, recording.size());
 
   Tally tally;
-  std::vector<Pose> final_poses;
+  std::optional<MapRun> mapped;
   double seconds = 0;
   {
     Progress progress("run", recording.size(), command.quiet);
@@ -244,7 +247,7 @@ int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
       progress.advance();
     };
     if (command.odometry.reference == "map")
-      final_poses = run_map(command, recording, clock, sink, caught);
+      mapped = run_map(command, recording, clock, sink, caught);
     else if (recording.archive)
       tally.missing_pairs = run_archive(command, recording, clock, sink, caught);
     else
@@ -255,7 +258,9 @@ int run(RunCommand& command, CLI::App& app, const Invocation& invocation) {
   const auto evaluation = evaluate_run(recording, command.odometry, tally.trajectory);
   Json run = run_record(recording, resolved_options(command, recording), tally, seconds, evaluation);
   std::optional<Evaluation> final_evaluation;
-  if (!final_poses.empty()) {
+  if (mapped) run["learned"] = learned_json(mapped->learned);
+  if (mapped && !mapped->final_poses.empty()) {
+    const std::vector<Pose>& final_poses = mapped->final_poses;
     Trajectory final;
     for (std::size_t i = 0; i < final_poses.size(); ++i) final.add(recording.times[i], final_poses[i]);
     write_tum_trajectory(command.out / "trajectory_final.tum", final);

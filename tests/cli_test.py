@@ -273,6 +273,89 @@ class Run(Recording):
         self.assertEqual(len(trajectory), 8)
 
 
+class LostAndFound(Recording):
+    """What the default odometer says and does while it sees too little, and after."""
+
+    FRAMES = 30
+    SIZE = ("--rate", 15, "--width", 320, "--height", 240)
+    AWAY = range(8, 15)  # not quite half a second
+
+    def show(self, name, bits, value, frames):
+        for _, file in self.listed(name)[frames.start:frames.stop]:
+            write_png(self.data / file, 320, 240, bits, value)
+
+    def drop(self, name, frames):
+        kept = [line for i, line in enumerate(self.listed(name)) if i not in frames]
+        (self.data / name).write_text("".join(" ".join(line) + "\n" for line in kept))
+
+    def follows(self, expected):
+        """Statuses as expected, and where they are ok the camera is where it was."""
+        result = self.run_data()
+        self.assertEqual(result.returncode, 0, result.stderr)
+        frames = list(csv.DictReader((self.out / "frames.csv").open()))
+        self.assertEqual([row["status"] for row in frames], expected)
+        truth = self.listed("groundtruth.txt")
+        estimate = [line.split() for line in (self.out / "trajectory.tum").read_text().splitlines() if line[0] != "#"]
+        world_from_first = matrix_of(*quaternion_pose(truth, 0))
+        for row in frames:
+            if row["status"] != "ok":
+                continue
+            found = product(world_from_first, matrix_of(*quaternion_pose(estimate, float(row["time"]))))
+            expected_pose = matrix_of(*quaternion_pose(truth, float(row["time"])))
+            error = math.dist([found[i][3] for i in range(3)], [expected_pose[i][3] for i in range(3)])
+            self.assertLess(error, 0.01, row["index"])
+
+    def test_a_covered_lens_is_foretold_and_then_forgotten(self):
+        expected = ["predicted" if i in self.AWAY else "ok" for i in range(self.FRAMES)]
+        self.show("rgb.txt", 8, 0, self.AWAY)
+        self.follows(expected)  # the depth camera still sees
+        self.show("depth.txt", 16, 0, self.AWAY)
+        self.follows(expected)
+
+    def test_a_white_wall_is_no_place(self):
+        wall = range(6, 24)
+        self.show("rgb.txt", 8, 230, wall)
+        self.show("depth.txt", 16, 7500, wall)
+        self.follows(["ok"] * 6 + ["predicted"] * 15 + ["lost"] * 3 + ["ok"] * 6)
+
+    def test_a_gap_of_half_a_second_is_one_long_step(self):
+        for name in ("rgb.txt", "depth.txt"):
+            self.drop(name, self.AWAY)
+        self.follows(["ok"] * (self.FRAMES - len(self.AWAY)))
+
+    def test_depth_that_is_missing_or_empty_is_done_without(self):
+        away = range(6, 22)
+        self.show("depth.txt", 16, 0, away)
+        self.follows(["ok"] * self.FRAMES)
+        empty = (self.out / "trajectory.tum").read_bytes()
+        self.drop("depth.txt", away)
+        self.follows(["ok"] * self.FRAMES)
+        self.assertEqual((self.out / "trajectory.tum").read_bytes(), empty)
+
+    def test_what_was_learned_of_the_camera_is_recorded(self):
+        self.run_data()
+        learned = json.loads((self.out / "run.json").read_text())["learned"]
+        self.assertEqual(learned["k1_correction"], 0)  # depth tells how things are without it
+        self.assertLess(abs(learned["readout_s"]), 0.005)  # a global shutter
+        (self.data / "depth.txt").unlink()
+        shutil.rmtree(self.data / "depth")
+        self.run_data()
+        learned = json.loads((self.out / "run.json").read_text())["learned"]
+        self.assertLess(abs(learned["k1_correction"]), 0.05)
+        self.run_data("--reference", "frame", "--solver", "nister-5pt", "--scale", "none")
+        self.assertNotIn("learned", json.loads((self.out / "run.json").read_text()))
+
+    def test_depth_without_a_list_is_read_by_its_names(self):
+        self.assertEqual(self.run_data().returncode, 0)
+        listed = (self.out / "trajectory.tum").read_bytes()
+        (self.data / "depth.txt").unlink()
+        self.assertEqual(self.run_data().returncode, 0)
+        self.assertEqual((self.out / "trajectory.tum").read_bytes(), listed)
+        first = sorted((self.data / "depth").iterdir())[0]
+        first.rename(first.with_name("first.png"))
+        self.refuses(self.run_data(), "first.png", "depth.txt")
+
+
 class Methods(Recording):
     """Solver, measure, scale and RANSAC scheme, on the matches of an archive."""
 

@@ -79,7 +79,8 @@ Listing list_of_folder(const fs::path& folder) {
   for (const std::string& name : files_in(folder, image_extensions())) {
     const auto stamp = stamp_in(name);
     if (!stamp)
-      throw InputError(folder, 0, "", "'" + name + "'", "files called by their stamps (seconds), or rgb.txt");
+      throw InputError(folder, 0, "", "'" + name + "'",
+                       "files called by their stamps (seconds), or " + folder.filename().string() + ".txt");
     listing.files.push_back({*stamp, folder.filename().string() + "/" + name, 0});
   }
   std::sort(listing.files.begin(), listing.files.end(),

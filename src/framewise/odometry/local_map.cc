@@ -51,13 +51,28 @@ double share_in_view(const Keyframe& host, const Pose& cam_from_host, const Came
 
 }  // namespace
 
+void LocalMap::forget_oldest() {
+  gone_.push_back(keyframes_.front().world_from_cam);
+  keyframes_.pop_front();
+}
+
 Keyframe& LocalMap::add(std::shared_ptr<const MapFrame> frame, const Pose& world_from_cam) {
-  if (static_cast<int>(keyframes_.size()) == capacity_) {
-    gone_.push_back(keyframes_.front().world_from_cam);
-    keyframes_.pop_front();
-  }
+  if (static_cast<int>(keyframes_.size()) == capacity_) forget_oldest();
   keyframes_.push_back({next_id_++, std::move(frame), world_from_cam, {}, {}});
   return keyframes_.back();
+}
+
+void LocalMap::go_on_as(const LocalMap& other, const Pose& world_from_other) {
+  while (!keyframes_.empty()) forget_oldest();
+  const int shift = next_id_ - other.first_id();
+  for (Keyframe keyframe : other.keyframes_) {
+    keyframe.id += shift;
+    keyframe.world_from_cam = world_from_other * keyframe.world_from_cam;
+    for (MapPoint& point : keyframe.points)
+      for (PointView& view : point.views) view.keyframe += shift;
+    keyframes_.push_back(std::move(keyframe));
+  }
+  next_id_ += static_cast<int>(keyframes_.size());
 }
 
 void LocalMap::set_camera(const Camera& from, const Camera& to) {

@@ -82,6 +82,9 @@ class LocalMap {
   MapPoint& point(const PointRef& ref) { return at(ref.keyframe).points[ref.point]; }
   const MapPoint& point(const PointRef& ref) const { return at(ref.keyframe).points[ref.point]; }
 
+  // Forgets all of them and goes on as another map, whose world stands so in this one's.
+  void go_on_as(const LocalMap& other, const Pose& world_from_other);
+
   // Makes all rays anew for a camera that turned out to be another one.
   void set_camera(const Camera& from, const Camera& to);
   // Turns all rays to the middle rows anew.
@@ -91,6 +94,8 @@ class LocalMap {
   const Pose& last_pose_of(int id) const { return holds(id) ? at(id).world_from_cam : gone_[id]; }
 
  private:
+  void forget_oldest();
+
   int capacity_;
   int next_id_ = 0;
   std::deque<Keyframe> keyframes_;

@@ -37,6 +37,25 @@ TEST(LocalMap, ForgetsTheOldestButNotWhereItEnded) {
   for (int i = 0; i < 4; ++i) EXPECT_EQ(map.last_pose_of(i).t.x(), i);
 }
 
+TEST(LocalMap, GoesOnAsAnotherThatStandsElsewhere) {
+  LocalMap map(3), other(3);
+  map.add(std::make_shared<MapFrame>(), kTurned);
+  for (int i = 0; i < 2; ++i)
+    other.add(std::make_shared<MapFrame>(), {Eigen::Matrix3d::Identity(), {1.0 * i, 0, 0}});
+  MapPoint point = point_at({0.1, 0.2, 1}, 2, 0.01);
+  point.views.push_back({1, {0, 0, 1}, 1e-3, 2, {0, 0, 1}, 0});
+  other.at(0).points.push_back(point);
+  map.go_on_as(other, kAside);
+  EXPECT_FALSE(map.holds(0));
+  EXPECT_EQ(map.last_pose_of(0).R, kTurned.R);
+  ASSERT_TRUE(map.holds(1) && map.holds(2));
+  EXPECT_EQ(map.at(1).id, 1);
+  EXPECT_EQ(map.newest().world_from_cam.t, Eigen::Vector3d(1.2, 0, 0));
+  EXPECT_EQ(map.at(1).points[0].views[0].keyframe, 2);  // still its neighbour
+  map.add(std::make_shared<MapFrame>(), {});
+  EXPECT_EQ(map.newest_id(), 3);
+}
+
 TEST(PointsInView, APointIsWhereItProjects) {
   const LocalMap map = map_of(point_at({0.1, 0.2, 1}, 2, 0.01));
   const auto seen = points_in_view(map, {0}, kAside, kCamera, {});

@@ -4,12 +4,26 @@
 
 namespace framewise {
 
+namespace {
+
+// Of a sample of its pixels one in a hundred: fewer tell a pose nothing, and a frame is better off as one
+// without depth.
+bool tells_depth(const cv::Mat& depth) {
+  constexpr int kStep = 4, kOneIn = 100;
+  int looked_at = 0, valid = 0;
+  for (int v = 0; v < depth.rows; v += kStep)
+    for (int u = 0; u < depth.cols; u += kStep) ++looked_at, valid += depth.at<float>(v, u) > 0;
+  return kOneIn * valid > looked_at;
+}
+
+}  // namespace
+
 MapFrame look_at(const Frame& frame, std::size_t index) {
   MapFrame seen;
   seen.index = index;
   seen.time = frame.time;
-  seen.depth = frame.depth;
-  seen.has_depth = !frame.depth.empty();
+  if (tells_depth(frame.depth)) seen.depth = frame.depth;
+  seen.has_depth = !seen.depth.empty();
   seen.depth_delay = frame.depth_delay;
   if (!frame.gray.empty()) seen.levels = image_levels(frame.gray);
   return seen;

@@ -32,7 +32,7 @@ struct MapFrame {
   }
 };
 
-// Without features. Pure: frames are looked at side by side.
+// Without features, and without a depth image that tells nothing. Pure: frames are looked at side by side.
 MapFrame look_at(const Frame& frame, std::size_t index);
 
 // Finds its features, unless it has them. Where a map foretells what a frame shows, patches are enough: only

@@ -9,6 +9,7 @@
 #include "framewise/features/matching.h"
 #include "framewise/features/windowed_matching.h"
 #include "framewise/geometry/triangulation.h"
+#include "framewise/odometry/taken_places.h"
 
 namespace framewise {
 namespace {
@@ -44,22 +45,11 @@ double median_inverse_z(const Keyframe& keyframe) {
 std::vector<int> open_features(const MapFrame& frame, const std::vector<Eigen::Vector2d>& taken,
                                double apart_px) {
   if (frame.levels.empty()) return {};
-  cv::Mat free(frame.levels[0].size(), CV_8U, cv::Scalar(1));
-  const cv::Rect whole(0, 0, free.cols, free.rows);
-  const int reach = static_cast<int>(apart_px);
-  for (const Eigen::Vector2d& p : taken) {
-    if (!(p.cwiseAbs().maxCoeff() < 1e6)) continue;
-    const cv::Rect around(static_cast<int>(p.x()) - reach, static_cast<int>(p.y()) - reach, 2 * reach + 1,
-                          2 * reach + 1);
-    free(around & whole).setTo(0);
-  }
+  TakenPlaces places(frame.levels[0].size(), apart_px);
+  for (const Eigen::Vector2d& pixel : taken) places.take(pixel);
   std::vector<int> open;
-  for (int i = 0; i < static_cast<int>(frame.rays.size()); ++i) {
-    const Eigen::Vector2d p = frame.pixel(i);
-    const int u = std::clamp(static_cast<int>(std::lround(p.x())), 0, free.cols - 1);
-    const int v = std::clamp(static_cast<int>(std::lround(p.y())), 0, free.rows - 1);
-    if (free.at<std::uint8_t>(v, u) != 0) open.push_back(i);
-  }
+  for (int i = 0; i < static_cast<int>(frame.rays.size()); ++i)
+    if (places.is_free(frame.pixel(i))) open.push_back(i);
   return open;
 }
 

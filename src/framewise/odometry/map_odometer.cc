@@ -24,10 +24,9 @@ using MapPassagePtr = std::shared_ptr<MapPassage>;
 
 }  // namespace
 
-std::vector<Pose> run_map_odometry(const FrameSource& frames, const Camera& camera,
-                                   const OdometryOptions& options, const Clock& clock,
-                                   const std::function<void(const FrameResult&)>& sink,
-                                   const OdometryTaps& taps) {
+MapRun run_map_odometry(const FrameSource& frames, const Camera& camera, const OdometryOptions& options,
+                        const Clock& clock, const std::function<void(const FrameResult&)>& sink,
+                        const OdometryTaps& taps) {
   options.check();
   camera.check();
   MapTracker tracker(camera, options, frames.known);
@@ -70,7 +69,7 @@ std::vector<Pose> run_map_odometry(const FrameSource& frames, const Camera& came
                                           tbb::make_filter<MapPassagePtr, MapPassagePtr>(kSideBySide, open) &
                                           tbb::make_filter<MapPassagePtr, void>(kInOrder, place));
   });
-  return tracker.final_poses();
+  return {tracker.final_poses(), tracker.learned()};
 }
 
 }  // namespace framewise

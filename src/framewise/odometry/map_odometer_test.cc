@@ -11,20 +11,21 @@
 namespace framewise {
 namespace {
 
-struct MapRun {
+struct BothRuns {
   std::vector<FrameResult> causal;
   std::vector<Pose> final_poses;
 };
 
-MapRun run(const FrameSource& source, int threads = 1, MapOptions map = {}) {
+BothRuns run(const FrameSource& source, int threads = 1, MapOptions map = {}) {
   OdometryOptions options;
   options.reference = "map";
   options.threads = threads;
   options.map = map;
-  MapRun result;
-  result.final_poses = run_map_odometry(
+  BothRuns result;
+  const MapRun end = run_map_odometry(
       source, Boxes::camera(), options, [] { return 0.0; },
       [&](const FrameResult& r) { result.causal.push_back(r); });
+  result.final_poses = end.final_poses;
   return result;
 }
 
@@ -109,6 +110,101 @@ TEST(RunMapOdometry, GoesOnWithoutDepthOnceItHasAMap) {
   const auto result = run(source);
   for (std::size_t i = 0; i < 14; ++i)
     EXPECT_LT(position_error(result.causal[i].world_from_cam, sideways(i)), 0.006) << i;
+}
+
+// Frames 6 to 26 show a wall without texture at 1.5 m, in noise; then the camera is back.
+TEST(RunMapOdometry, TakesNoWhiteWallForAPlaceAndFindsItselfAfterIt) {
+  const Boxes boxes;
+  const auto path = [](std::size_t i) { return sideways(i < 6 ? i : i < 27 ? 6 : i - 21); };
+  FrameSource source = boxes.source(34, path);
+  source.load = [load = source.load](std::size_t i) {
+    Frame frame = load(i);
+    if (i < 6 || i > 26) return frame;
+    cv::RNG rng(i);
+    rng.fill(frame.gray, cv::RNG::NORMAL, 200, 4);
+    frame.depth = 1.5f;
+    return frame;
+  };
+  const auto result = run(source);
+  for (std::size_t i = 0; i < 34; ++i) {
+    const Status status = result.causal[i].step.status;
+    EXPECT_EQ(status, i < 6 || i > 26 ? Status::kOk : i < 16 ? Status::kPredicted : Status::kLost) << i;
+    if (status == Status::kOk) {
+      EXPECT_LT(position_error(result.causal[i].world_from_cam, path(i)), 0.004) << i;
+    }
+  }
+}
+
+// After frame 7 the camera is where nothing is known: what it sees there it follows at once, as a motion from
+// where it was believed to be, and after a second that is the map.
+TEST(RunMapOdometry, FollowsAnUnknownPlaceAndAnnouncesThatItsPoseIsForetold) {
+  const Boxes boxes;
+  const auto path = [](std::size_t i) {
+    Pose pose = sideways(i);
+    if (i > 7) pose.t.x() += 9;
+    return pose;
+  };
+  const auto result = run(boxes.source(26, path));
+  for (std::size_t i = 0; i < 26; ++i) {
+    const Status expected = i <= 7 || i > 18 ? Status::kOk : i < 18 ? Status::kPredicted : Status::kLost;
+    EXPECT_EQ(result.causal[i].step.status, expected) << i;
+  }
+  const auto from = [&](std::size_t a, std::size_t b) {
+    return result.causal[a].world_from_cam.inverse() * result.causal[b].world_from_cam;
+  };
+  const auto true_from = [&](std::size_t a, std::size_t b) { return path(a).inverse() * path(b); };
+  EXPECT_LT(position_error(from(8, 25), true_from(8, 25)), 0.006);
+  EXPECT_LT(angle_error(from(8, 25), true_from(8, 25)), 0.004);
+}
+
+// Where depth gave the map its metres, a part without depth has none: it is not passed off as measured.
+TEST(RunMapOdometry, NoLengthIsGuessedWhereLengthsWereMeasured) {
+  const Boxes boxes;
+  FrameSource source = boxes.source(24, [](std::size_t i) {
+    Pose pose = sideways(i);
+    if (i > 7) pose.t.x() += 9;
+    return pose;
+  });
+  source.load = [load = source.load](std::size_t i) {
+    Frame frame = load(i);
+    if (i > 7) frame.depth.release();
+    return frame;
+  };
+  const auto result = run(source);
+  for (std::size_t i = 8; i < 24; ++i) {
+    const Status status = result.causal[i].step.status;
+    EXPECT_TRUE(status != Status::kOk && status != Status::kLowParallax) << i;
+  }
+}
+
+TEST(RunMapOdometry, AGapInTheStampsIsAMotionLikeAnyOther) {
+  const Boxes boxes;
+  const auto kept = [](std::size_t i) { return i < 8 ? i : i + 5; };
+  FrameSource source = boxes.source(25, sideways);
+  source.size = 18;
+  source.load = [load = source.load, kept](std::size_t i) { return load(kept(i)); };
+  const auto result = run(source);
+  for (std::size_t i = 0; i < 18; ++i) {
+    EXPECT_EQ(result.causal[i].step.status, Status::kOk) << i;
+    EXPECT_LT(position_error(result.causal[i].world_from_cam, sideways(kept(i))), 0.004) << i;
+  }
+}
+
+TEST(RunMapOdometry, ADepthImageOfNothingIsNoDepthImage) {
+  const Boxes boxes;
+  const auto without = [&](const std::function<void(Frame&)>& take_depth) {
+    FrameSource source = boxes.source(14, sideways);
+    source.load = [load = source.load, take_depth](std::size_t i) {
+      Frame frame = load(i);
+      if (i >= 5 && i <= 9) take_depth(frame);
+      return frame;
+    };
+    return run(source);
+  };
+  const auto missing = without([](Frame& frame) { frame.depth.release(); });
+  const auto empty = without([](Frame& frame) { frame.depth = std::numeric_limits<float>::quiet_NaN(); });
+  for (std::size_t i = 0; i < 14; ++i)
+    EXPECT_EQ(missing.causal[i].world_from_cam.matrix(), empty.causal[i].world_from_cam.matrix()) << i;
 }
 
 TEST(RunMapOdometry, HandsOverWhatCameBeforeAFailure) {

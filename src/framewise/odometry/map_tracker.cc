@@ -7,14 +7,14 @@
 #include <limits>
 
 #include "framewise/geometry/so3.h"
-#include "framewise/odometry/depth_filter.h"
+#include "framewise/odometry/keyframe_choice.h"
 #include "framewise/odometry/map_growth.h"
-#include "framewise/odometry/window_adjustment.h"
+#include "framewise/odometry/points_with_depth.h"
+#include "framewise/odometry/points_without_depth.h"
 
 namespace framewise {
 namespace {
 
-constexpr double kLensShare = 0.02;  // of what a window says of the lens (learn_lens)
 constexpr double kUnmeasured = std::numeric_limits<double>::quiet_NaN();
 
 // Of the camera's orientation (its own axes) and position (the world's) from that of cam2_from_cam1.
@@ -38,23 +38,32 @@ MapTracker::MapTracker(const Camera& camera, const OdometryOptions& options, Pri
       motion_(options.map.shrink) {}
 
 MapTrack MapTracker::add(std::shared_ptr<MapFrame> frame) {
-  if (map_.empty()) {
-    before_ = measured_ = FrameView(*frame);
-    return start(std::move(frame));
-  }
+  if (map_.empty()) return start(std::move(frame));
   if (!has_points_) return start_without_depth(std::move(frame));
-  FrameView view(*frame);
-  std::optional<Placed> unsure;
-  auto placed = place(*frame, motion_.predict(frame->time), unsure);
-  const bool was_missed = time_before_ > time_measured_;
-  if (!placed && was_missed) placed = place(*frame, steady_.predict(frame->time), unsure);
-  if (!placed) placed = place_by_pair(*frame, view);
-  if (!placed) placed = std::move(unsure);
-  MapTrack track = placed ? measured(std::move(frame), *placed) : missed(std::move(frame));
-  before_ = std::move(view);
+  FrameView frame_view(*frame);
+  const auto placed = find(frame, frame_view);
   measured_in_a_row_ = placed ? measured_in_a_row_ + 1 : 0;
-  if (placed) measured_ = before_, world_from_measured_ = track.world_from_cam;
+  if (!placed) return missed(std::move(frame));
+  meanwhile_.reset();
+  MapTrack track = measured(std::move(frame), *placed);
+  last_measured_ = std::move(frame_view);
+  world_from_measured_ = track.world_from_cam;
   return track;
+}
+
+std::optional<Placed> MapTracker::find(const std::shared_ptr<MapFrame>& frame, FrameView& frame_view) {
+  std::optional<Placed> unsure;
+  const Pose predicted = motion_.predict(frame->time);
+  if (const auto placed = place(*frame, predicted, view(), unsure)) return placed;
+  const bool was_missed = time_before_ > time_measured_;
+  if (was_missed)
+    if (const auto placed = place(*frame, steady_.predict(frame->time), view(), unsure)) return placed;
+  if (const auto placed =
+          place_by_pair(*frame, frame_view, last_measured_, world_from_measured_, predicted, view()))
+    return placed;
+  // A motion that goes on as foretold makes up for what the patches leave to chance.
+  constexpr int kUnderWay = 3;
+  return measured_in_a_row_ >= kUnderWay ? unsure : std::nullopt;
 }
 
 MapTrack MapTracker::start(std::shared_ptr<MapFrame> frame) {
@@ -63,9 +72,14 @@ MapTrack MapTracker::start(std::shared_ptr<MapFrame> frame) {
   track.step.covariance.setZero();
   motion_.start(frame->time, {});
   time_before_ = time_measured_ = frame->time;
+  last_measured_ = FrameView(*frame);
   become_keyframe(frame, {}, nullptr);
   remember(*frame, {});
   return track;
+}
+
+MapView MapTracker::view() const {
+  return {map_, camera_, options_, turns_, readout_.seconds(), world_from_before_, time_before_};
 }
 
 // Until a motion is seen that tells how far things are, the camera turns where it is.
@@ -81,8 +95,8 @@ MapTrack MapTracker::start_without_depth(std::shared_ptr<MapFrame> frame) {
   track.step.inliers = two_views.inliers;
   track.step.iterations = two_views.iterations;
   track.world_from_cam = world_from_before_;
-  if (two_views.kind == TwoViewStart::Kind::kTriangulated) {
-    build_from_two_views(frame, two_views);
+  if (const auto length = first_length(*first.frame, *frame, two_views)) {
+    build_from_two_views(frame, two_views, *length);
     track.step.status = Status::kOk;
     track.world_from_cam = map_.newest().world_from_cam;
   } else if (two_views.kind == TwoViewStart::Kind::kTurned) {
@@ -113,25 +127,30 @@ MapTrack MapTracker::start_without_depth(std::shared_ptr<MapFrame> frame) {
 
 // Frames that came before there was a map, as it has them: for the final poses.
 void MapTracker::place_waiting() {
+  constexpr int kCoarser = 2;
   const int newest = map_.newest_id(), first = newest - 1;
   const Pose world_from_first = map_.at(first).world_from_cam;
   const double start = map_.at(first).frame->time, seconds = map_.at(newest).frame->time - start;
   for (const auto& [index, frame] : waiting_) {
     const double share = seconds > 0 ? std::clamp((frame->time - start) / seconds, 0.0, 1.0) : 0;
-    const Anchored& turned = trajectory_[index];
-    Pose guess = map_.last_pose_of(turned.keyframe) * turned.keyframe_from_cam;
+    Pose guess = trajectory_.pose(index, map_);
     guess.t = world_from_first.t + share * (map_.newest().world_from_cam.t - world_from_first.t);
-    const Placed placed =
-        refine(*frame, guess.inverse() * world_from_before_, {first, newest}, 2, options_.map.points);
-    if (!is_credible(placed)) continue;
+    const Placed placed = place_near(*frame, guess.inverse() * world_from_before_, {first, newest}, kCoarser,
+                                     options_.map.points, view());
+    if (!is_credible(placed, options_.map)) continue;
     const Pose world_from_cam = world_from_before_ * placed.pose.cam_from_reference.inverse();
-    trajectory_[index] = {first, world_from_first.inverse() * world_from_cam};
+    trajectory_.replace(index, first, world_from_cam, map_);
   }
   waiting_.clear();
 }
 
-// A new part of the map goes on as fast as the last one ended.
-double MapTracker::first_length(const MapFrame& frame1, const MapFrame& frame2) const {
+// By depth where there is some; else a new part of the map goes on as fast as the last one ended, unless that
+// was in metres, which no guess is. The first part of all begins with the truth's length or with 1.
+std::optional<double> MapTracker::first_length(const MapFrame& frame1, const MapFrame& frame2,
+                                               const TwoViewStart& two_views) const {
+  if (two_views.kind != TwoViewStart::Kind::kTriangulated) return std::nullopt;
+  if (const auto length = length_by_depth(two_views, frame2, camera_, options_.depth)) return length;
+  if (is_metric_) return std::nullopt;
   if (const double length = speed_ * (frame2.time - frame1.time); length > 0) return length;
   if (options_.scale != "truth" || !known_.truth) return 1;
   const auto pose1 = known_.truth(frame1.index), pose2 = known_.truth(frame2.index);
@@ -139,226 +158,19 @@ double MapTracker::first_length(const MapFrame& frame1, const MapFrame& frame2) 
   return length > 0 ? length : 1;
 }
 
-void MapTracker::build_from_two_views(std::shared_ptr<MapFrame> frame, TwoViewStart& two_views) {
-  Keyframe& host = map_.at(map_.newest_id());
-  const double length = first_length(*host.frame, *frame), focal = std::abs(camera_.fx);
-  Pose cam2_from_cam1 = two_views.cam2_from_cam1;
-  cam2_from_cam1.t *= length;
-  const int host_id = host.id;
-  const Pose world_from_cam = host.world_from_cam * cam2_from_cam1.inverse();
-  Keyframe& viewer = add_keyframe(std::move(frame), world_from_cam);
-  Keyframe& kept_host = map_.at(host_id);
-  for (std::size_t i = 0; i < two_views.points.size(); ++i) {
-    MapPoint point = std::move(two_views.points[i]);
-    point.inverse_z /= length;
-    point.variance /= length * length;
-    const FeaturePair& pair = two_views.seen_by[i];
-    point.views.push_back({viewer.id, pair.ray2, std::max(options_.map.least_sigma_px, pair.sigma_px) / focal,
-                           kUnmeasured, pair.ray2, row_of(camera_, pair.pixel2.y())});
-    kept_host.points.push_back(std::move(point));
-  }
+void MapTracker::build_from_two_views(std::shared_ptr<MapFrame> frame, const TwoViewStart& two_views,
+                                      double length) {
+  errors_.become_keyframe();
+  const int oldest = map_.first_id();
+  const SeenByBoth seen = add_two_views(map_, std::move(frame), two_views, length, camera_, options_.map);
+  if (map_.first_id() > oldest) errors_.forget_oldest();
+  const int viewer = map_.newest_id(), host = viewer - 1;
   has_points_ = true;
-  points_at_keyframe_ = std::min(options_.map.points, static_cast<int>(kept_host.points.size()));
-  world_from_before_ = world_from_cam;
+  points_at_keyframe_ = std::min(options_.map.points, static_cast<int>(map_.at(host).points.size()));
+  world_from_before_ = map_.newest().world_from_cam;
   adjust();
-  std::vector<TrackedPoint> seen1, seen2;
-  for (std::size_t i = 0; i < two_views.seen_by.size(); ++i) {
-    const FeaturePair& pair = two_views.seen_by[i];
-    const PointRef ref{host_id, static_cast<int>(i)};
-    seen1.push_back({ref, kept_host.frame->pixel(pair.feature1), kept_host.frame->rays[pair.feature1], 1});
-    seen2.push_back({ref, pair.pixel2, pair.ray2, pair.sigma_px});
-  }
-  guess_points(kept_host, seen1);
-  guess_points(map_.at(map_.newest_id()), seen2);
-}
-
-// Patches are looked for where the motion before foretells them, a few from afar and then all; where that
-// fails, features are matched, near and then anywhere.
-std::optional<MapTracker::Placed> MapTracker::place(MapFrame& frame, const Pose& predicted,
-                                                    std::optional<Placed>& unsure) const {
-  const auto keyframes =
-      keyframes_in_view(map_, predicted, camera_, options_.map.newest, options_.map.others);
-  const Pose predicted_from_before = predicted.inverse() * world_from_before_;
-  constexpr int kNearby = 0, kFar = 3, kFew = 150;
-  Placed placed = refine(frame, predicted_from_before, keyframes, kFar, kFew);
-  if (is_credible(placed))
-    placed = refine(frame, placed.pose.cam_from_reference, keyframes, kNearby, options_.map.points);
-  if (is_credible(placed, 0.33)) return placed;
-  constexpr int kUnderWay = 3;  // frames that tell a motion
-  if (is_credible(placed) && measured_in_a_row_ >= kUnderWay) unsure = placed;
-
-  describe(frame, camera_, options_.map);
-  int matched = 0;
-  const auto first = find_first_pose(frame, predicted, keyframes, matched);
-  if (!first) return std::nullopt;
-  placed = refine(frame, first->cam_from_reference, keyframes, kNearby, options_.map.points);
-  placed.matched = std::max(matched, placed.matched);
-  placed.iterations = first->iterations;
-  // A fifth of the patches is found anywhere: it is the features that vouch for this pose.
-  const bool is_sure = first->inliers >= 2 * options_.map.min_inliers;
-  return is_sure && is_credible(placed, 0.05) ? std::optional(placed) : std::nullopt;
-}
-
-// Where the map has nothing that this frame shows: by what it has in common with the last frame that was
-// placed, or with the frame before.
-std::optional<MapTracker::Placed> MapTracker::place_by_pair(const MapFrame& frame, FrameView& view) {
-  FramePairOptions options;
-  options.depth = options_.depth;
-  options.depth_noise = options_.depth_noise;
-  options.ransac = options_.ransac;
-  options.ransac.seed = options_.seed + 0xd1b54a32d192ed03ull * (frame.index + 1);
-  const Pose predicted = motion_.predict(frame.time);
-  const auto relate = [&](FrameView& earlier, const Pose& world_from_earlier) -> std::optional<Placed> {
-    const auto pair =
-        pose_from_pair(earlier, view, predicted.inverse() * world_from_earlier, camera_, options);
-    if (!pair) return std::nullopt;
-    Placed placed;
-    placed.pose = *pair;
-    placed.pose.cam_from_reference =
-        pair->cam_from_reference * world_from_earlier.inverse() * world_from_before_;
-    placed.shutter = shutter_of(placed.pose.cam_from_reference, frame.time);
-    placed.matched = static_cast<int>(pair->inliers.size());
-    placed.pose.inliers.clear();
-    return placed;
-  };
-  auto placed = relate(measured_, world_from_measured_);
-  if (!placed && time_before_ > time_measured_) placed = relate(before_, world_from_before_);
-  if (!placed) return std::nullopt;
-  const Pose world_from_cam = world_from_before_ * placed->pose.cam_from_reference.inverse();
-  const auto keyframes =
-      keyframes_in_view(map_, world_from_cam, camera_, options_.map.newest, options_.map.others);
-  const Placed refined = refine(frame, placed->pose.cam_from_reference, keyframes, 0, options_.map.points);
-  return is_credible(refined, 0.05) ? refined : placed;
-}
-
-// Most of what is found agrees, to the noise of a place that is found at all.
-bool MapTracker::is_credible(const Placed& placed, double least_found) const {
-  constexpr double kMostNoisePx = 1.5;
-  const int found = static_cast<int>(placed.matches.size());
-  return placed.pose.num_inliers >= options_.map.min_inliers && 2 * placed.pose.num_inliers >= found &&
-         found >= least_found * placed.sought && placed.pose.covariance.allFinite() &&
-         placed.pose.ray_scale * options_.map.least_sigma_px < kMostNoisePx;
-}
-
-Shutter MapTracker::shutter_of(const Pose& cam_from_before, double time) const {
-  const double dt = time - time_before_;
-  Shutter shutter;
-  shutter.readout = options_.map.unskew ? readout_.seconds() : 0;
-  if (!(dt > 0)) return shutter;
-  // Stamps jitter by more than cameras do: over some frames.
-  const Eigen::Matrix3d world_from_cam = world_from_before_.R * cam_from_before.R.transpose();
-  if (turned_.empty() || !(time > turned_.front().first)) {
-    shutter.turn_rate = so3_log(cam_from_before.R.transpose()) / dt;
-  } else {
-    shutter.turn_rate =
-        so3_log(turned_.front().second.transpose() * world_from_cam) / (time - turned_.front().first);
-  }
-  return shutter;
-}
-
-MapMatch MapTracker::match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, double sigma_px,
-                              const Shutter& shutter) const {
-  const Keyframe& host = map_.at(ref.keyframe);
-  const MapPoint& point = host.points[ref.point];
-  const Pose before_from_host = world_from_before_.inverse() * host.world_from_cam;
-  const double sigma = std::max(options_.map.least_sigma_px, sigma_px) / std::abs(camera_.fx);
-  MapMatch match;
-  match.X = before_from_host * point.position();
-  match.S = before_from_host.R * point.covariance() * before_from_host.R.transpose();
-  match.ray = shutter.at_middle(ray, row);
-  match.sigma = sigma;
-  match.z = kUnmeasured;
-  return match;
-}
-
-std::optional<FirstPose> MapTracker::find_first_pose(const MapFrame& frame, const Pose& predicted,
-                                                     const std::vector<int>& keyframes, int& matched) const {
-  const Pose predicted_from_before = predicted.inverse() * world_from_before_;
-  FirstPoseOptions options;
-  options.max_error = 4 / std::abs(camera_.fx);
-  options.min_inliers = options_.map.min_inliers;
-  options.ransac = options_.ransac;
-  options.ransac.seed = options_.seed + 0x9e3779b97f4a7c15ull * (frame.index + 1);
-  const Shutter shutter = shutter_of(predicted_from_before, frame.time);
-  const auto attempt = [&](const std::vector<FeatureOfPoint>& found) {
-    std::vector<MapMatch> matches;
-    for (const FeatureOfPoint& match : found)
-      matches.push_back(match_of(match.ref, frame.rays[match.feature],
-                                 row_of(camera_, frame.pixel(match.feature).y()), 1.0, shutter));
-    matched = std::max(matched, static_cast<int>(matches.size()));
-    return first_pose(matches, predicted_from_before, options);
-  };
-  const auto visible = points_in_view(map_, keyframes, predicted, camera_, shutter);
-  constexpr double kSettledPx = 4, kWider = 4;
-  const auto known = settled(visible, kSettledPx);
-  const auto near = match_in_window(map_, known, frame, options_.map.window_px);
-  if (auto pose = attempt(near); pose && 3 * pose->inliers > static_cast<int>(near.size())) return pose;
-  // Where the camera began or ended to turn since the frame before.
-  const auto wide = match_in_window(map_, known, frame, kWider * options_.map.window_px);
-  if (auto pose = attempt(wide); pose && pose->inliers > 2 * options.min_inliers) return pose;
-  std::optional<FirstPose> best;
-  for (auto id = keyframes.rbegin(); id != keyframes.rend(); ++id) {
-    const auto pose = attempt(match_anywhere(map_.at(*id), frame));
-    if (pose && (!best || pose->inliers > best->inliers)) best = pose;
-    if (best && best->inliers > 2 * options.min_inliers) break;
-  }
-  return best;
-}
-
-MapTracker::Placed MapTracker::refine(const MapFrame& frame, const Pose& cam_from_before,
-                                      const std::vector<int>& keyframes, int coarser, int max_points) const {
-  Placed placed;
-  placed.pose.cam_from_reference = cam_from_before;
-  const Pose world_from_cam = world_from_before_ * cam_from_before.inverse();
-  placed.shutter = shutter_of(cam_from_before, frame.time);
-  constexpr double kSettledPx = 2;  // half of what patches find
-  const auto visible =
-      settled(points_in_view(map_, keyframes, world_from_cam, camera_, placed.shutter), kSettledPx);
-  placed.points = track_map_points(map_, visible, frame, world_from_cam, camera_, coarser, max_points);
-  placed.sought = std::min(max_points, static_cast<int>(visible.size()));
-  placed.matched = static_cast<int>(placed.points.size());
-  if (static_cast<int>(placed.points.size()) < options_.map.min_inliers) return placed;
-  // Between the frame before and this one the camera turned as it turns while depth is late.
-  const double dt = frame.time - time_before_;
-  const double share = options_.map.follow && dt > 0 ? frame.depth_delay / dt : 0;
-  const Pose depth_from_cam = {so3_exp(share * so3_log(cam_from_before.R)), share * cam_from_before.t};
-  for (const TrackedPoint& point : placed.points) {
-    const double row = row_of(camera_, point.pixel.y());
-    MapMatch match = match_of(point.ref, point.ray, row, point.sigma_px, placed.shutter);
-    if (const auto z = depth_along(frame, point.ray, depth_from_cam, camera_, options_.depth))
-      match.z = placed.shutter.depth_at_middle(point.ray, row, *z);
-    const Keyframe& host = map_.at(point.ref.keyframe);
-    const MapPoint& map_point = host.points[point.ref.point];
-    const Eigen::Matrix3d cam_from_host =
-        cam_from_before.R * world_from_before_.R.transpose() * host.world_from_cam.R;
-    const Eigen::Vector3d by_host =
-        cam_from_host * host.shutter.at_middle_by_readout(
-                            map_point.ray, row_of(camera_, host.frame->pixel(map_point.feature).y()));
-    const Eigen::Vector2d host_skew = (by_host - by_host.z() * match.ray).head<2>();
-    const Eigen::Vector2d own_skew = placed.shutter.at_middle_by_readout(match.ray, row).head<2>();
-    match.by_readout = host_skew - own_skew;
-    match.skew = std::max(host_skew.norm(), own_skew.norm());
-    placed.matches.push_back(match);
-  }
-  placed.pose = refine_map_pose(placed.matches, cam_from_before, options_.depth_noise);
-  return placed;
-}
-
-Correspondences MapTracker::seen_from_before(const Placed& placed) const {
-  Correspondences seen;
-  for (std::size_t i = 0; i < placed.points.size(); ++i) {
-    const MapMatch& match = placed.matches[i];
-    seen.pixels1.push_back(camera_.project(match.X).value_or(placed.points[i].pixel));
-    seen.pixels2.push_back(placed.points[i].pixel);
-    seen.x1.push_back(match.X.normalized());
-    seen.x2.push_back(match.ray.normalized());
-    seen.z1.push_back(match.X.z());
-    seen.z2.push_back(match.z);
-    seen.sigma1.push_back(match.sigma);
-    seen.sigma2.push_back(match.sigma);
-    seen.distance.push_back(0);
-  }
-  return seen;
+  guess_points(map_, host, seen.by_first, camera_);
+  guess_points(map_, viewer, seen.by_second, camera_);
 }
 
 MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& placed) {
@@ -374,11 +186,10 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   track.step.inliers = placed.pose.num_inliers;
   track.step.iterations = placed.iterations;
   track.step.inlier_mask.assign(placed.pose.inliers.begin(), placed.pose.inliers.end());
-  track.seen = seen_from_before(placed);
+  track.seen = seen_from_before(placed, camera_);
   track.seen.has_depth = !frame->depth.empty();
   const Pose world_from_earlier = world_from_earlier_ = world_from_before_;
   const double dt = frame->time - time_before_;
-
   const auto correction = readout_correction(placed.matches, placed.pose);
   if (options_.map.unskew)
     readout_.add(correction.seconds, correction.information, frame->time - time_before_);
@@ -387,11 +198,12 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   world_from_before_ = track.world_from_cam;
   time_before_ = time_measured_ = frame->time;
   if (dt > 0) speed_ = (world_from_before_.t - world_from_earlier.t).norm() / dt;
-  const auto traced = look_for_depth(*frame, placed);
-  if (wants_keyframe(placed))
+  std::vector<TrackedPoint> traced;
+  if (frame->depth.empty()) traced = look_for_depth(map_, placed, *frame, world_from_before_, camera_);
+  if (wants_keyframe(need_of_keyframe(placed), camera_.width, options_.map))
     become_keyframe(frame, track.world_from_cam, &placed, traced);
   else if (options_.map.fuse)
-    fuse_depth(placed);
+    take_in_depths(map_, placed, world_from_before_, options_.depth_noise);
   track.world_from_cam = world_from_before_;
   track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_earlier;
   steady_ = motion_;
@@ -399,7 +211,6 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   return track;
 }
 
-// How far the camera and with it the step may be off.
 void MapTracker::follow_errors(const Placed& placed) {
   const Pose& cam_from_before = placed.pose.cam_from_reference;
   const Pose world_from_cam = world_from_before_ * cam_from_before.inverse();
@@ -407,64 +218,86 @@ void MapTracker::follow_errors(const Placed& placed) {
     errors_.moved(world_from_cam, foretold_ + of_placed_camera(placed.pose.covariance, cam_from_before,
                                                                world_from_before_.R));
   } else {
-    errors_.placed(world_from_cam, placed_by(placed));
+    errors_.placed(world_from_cam, placed_by(placed, options_.depth_noise));
+    errors_.drawn_to_prior(world_from_cam, motion_.draw());
   }
-  errors_.drawn_to_prior(world_from_cam, motion_.draw());
   foretold_.setZero();
   missed_in_a_row_ = 0;
 }
 
-// The inliers.
-std::vector<PlacedBy> MapTracker::placed_by(const Placed& placed) const {
-  const Pose& cam_from_before = placed.pose.cam_from_reference;
-  std::vector<PlacedBy> points;
-  for (std::size_t i = 0; i < placed.matches.size(); ++i) {
-    const MapMatch& match = placed.matches[i];
-    if (!placed.pose.inliers[i]) continue;
-    PlacedBy point;
-    point.ref = placed.points[i].ref;
-    point.x_in_cam = cam_from_before * match.X;
-    point.S = cam_from_before.R * match.S * cam_from_before.R.transpose();
-    point.ray_residual = point.x_in_cam.head<2>() / point.x_in_cam.z() - match.ray.head<2>();
-    point.ray_sigma = placed.pose.ray_scale * match.sigma;
-    if (match.z > 0) {
-      const double sigma = placed.pose.depth_scale * options_.depth_noise.sigma(match.z);
-      point.z_residual = point.x_in_cam.z() - match.z;
-      if (std::abs(point.z_residual) < 3 * std::hypot(sigma, std::sqrt(point.S(2, 2)))) point.z_sigma = sigma;
-    }
-    points.push_back(point);
-  }
-  return points;
-}
-
 MapTrack MapTracker::missed(std::shared_ptr<MapFrame> frame) {
   MapTrack track;
-  ++missed_in_a_row_;  // the first of them changes the speed, and so all that follow
+  const Pose world_from_earlier = world_from_before_;
+  ++missed_in_a_row_;  // the first changes the speed of all that follow
   const Matrix6d departure = missed_in_a_row_ * missed_in_a_row_ * motion_.departure();
   motion_.coast(frame->time);
-  track.world_from_cam = motion_.predict(frame->time);
-  errors_.moved(track.world_from_cam, departure);
-  foretold_ += departure;
-  track.step.covariance = errors_.step_covariance(world_from_before_, track.world_from_cam);
+  world_from_before_ = motion_.predict(frame->time);
+  const bool is_followed = follow_meanwhile(frame);
+  track.world_from_cam = world_from_before_;
+  track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_earlier;
   track.step.status =
       frame->time - time_measured_ <= options_.map.max_coast ? Status::kPredicted : Status::kLost;
-  track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_before_;
-  world_from_before_ = track.world_from_cam;
+  errors_.moved(track.world_from_cam, departure);
+  foretold_ += departure;
+  track.step.covariance = errors_.step_covariance(world_from_earlier, track.world_from_cam);
   time_before_ = frame->time;
-  // What is not found again is a new place: a map goes on from where the camera is believed to be.
-  constexpr int kEnoughToSee = 200;
-  if (track.step.status == Status::kLost && static_cast<int>(frame->rays.size()) >= kEnoughToSee) {
-    has_points_ = frame->has_depth;
-    become_keyframe(frame, track.world_from_cam, nullptr);
-    time_measured_ = frame->time;
-  }
+  // What is not found again is given up for what is seen instead.
+  if (track.step.status == Status::kLost && is_followed) go_on_as_meanwhile();
   remember(*frame, track.world_from_cam);
   return track;
 }
 
+// A camera that does not see the map may well see how it moves. Whether it does: what is no place (noise, a
+// wall) is not found again in the next frame.
+bool MapTracker::follow_meanwhile(std::shared_ptr<MapFrame> frame) {
+  if (meanwhile_) {
+    // It may keep the frame and let its depth go, and be given up all the same.
+    const MapTrack track = meanwhile_->add(std::make_shared<MapFrame>(*frame));
+    if (track.step.status == Status::kRotationOnly) {
+      world_from_before_.R = world_from_meanwhile_.R * track.world_from_cam.R;
+      return true;
+    }
+    if (is_measured(track.step.status)) {
+      world_from_before_ = world_from_meanwhile_ * track.world_from_cam;
+      motion_ = meanwhile_->motion_;
+      motion_.correct(world_from_meanwhile_);
+      return true;
+    }
+  }
+  meanwhile_ = std::make_unique<MapTracker>(camera_, options_, known_);
+  meanwhile_->lens_ = lens_;
+  meanwhile_->readout_ = readout_;
+  meanwhile_->speed_ = speed_;
+  meanwhile_->is_metric_ = is_metric_;
+  meanwhile_->add(frame);
+  world_from_meanwhile_ = world_from_before_;
+  meanwhile_->motion_ = motion_;
+  meanwhile_->motion_.correct(world_from_meanwhile_.inverse());
+  return false;
+}
+
+void MapTracker::go_on_as_meanwhile() {
+  const std::unique_ptr<MapTracker> other = std::move(meanwhile_);
+  map_.go_on_as(other->map_, world_from_meanwhile_);
+  camera_ = other->camera_;
+  lens_ = other->lens_;
+  readout_ = other->readout_;
+  shutter_ = other->shutter_;
+  errors_.start(map_.first_id(), map_.newest_id() + 1 - map_.first_id());
+  foretold_.setZero();
+  missed_in_a_row_ = 0;
+  last_measured_ = other->last_measured_;
+  world_from_measured_ = world_from_meanwhile_ * other->world_from_measured_;
+  points_at_keyframe_ = other->points_at_keyframe_;
+  has_points_ = other->has_points_;
+  speed_ = other->speed_;
+  is_metric_ = other->is_metric_;
+  time_measured_ = time_before_;
+}
+
 Keyframe& MapTracker::add_keyframe(std::shared_ptr<const MapFrame> frame, const Pose& world_from_cam) {
   const int oldest = map_.first_id();
-  map_.empty() ? errors_.start() : errors_.become_keyframe();
+  errors_.become_keyframe();
   Keyframe& keyframe = map_.add(std::move(frame), world_from_cam);
   if (map_.first_id() > oldest) errors_.forget_oldest();
   return keyframe;
@@ -500,82 +333,35 @@ void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& wo
          row});
     seen += map_.point(point.ref).is_known();
   }
-  add_points(keyframe, taken);
+  const Pose depth_from_cam = options_.map.follow ? motion_.motion_during(frame->depth_delay) : Pose();
+  add_points_with_depth(keyframe, taken, depth_from_cam, camera_, options_);
   const int points_added = static_cast<int>(keyframe.points.size());
-  has_points_ |= static_cast<int>(keyframe.points.size()) >= 2 * options_.map.min_inliers;
+  if (static_cast<int>(keyframe.points.size()) >= 2 * options_.map.min_inliers)
+    has_points_ = is_metric_ = true;
   const bool has_depth = !frame->depth.empty();
   frame->depth.release();  // its points have it
   if (placed && has_depth) grow();
   if (placed && (options_.map.adjust || !has_depth)) adjust();
-  if (!has_depth) guess_points(map_.at(map_.newest_id()), taken);
+  if (!has_depth) guess_points(map_, map_.newest_id(), taken, camera_);
   points_at_keyframe_ = std::min(options_.map.points, seen + points_added);
 }
 
-int MapTracker::count_known(const Placed& placed) const {
-  int count = 0;
-  for (std::size_t i = 0; i < placed.points.size(); ++i)
-    count += placed.pose.inliers[i] && map_.point(placed.points[i].ref).is_known();
-  return count;
-}
-
-bool MapTracker::wants_keyframe(const Placed& placed) const {
-  const int known = count_known(placed);
-  if (known < options_.map.keyframe_share * points_at_keyframe_) return true;
-  // By how far the camera's own motion has shifted what it sees since the newest keyframe.
+KeyframeNeed MapTracker::need_of_keyframe(const Placed& placed) const {
   const Keyframe& newest = map_.newest();
-  if (newest.frame->has_depth) return false;
+  KeyframeNeed need;
+  need.known_at_keyframe = points_at_keyframe_;
+  need.lives_on_motion = !newest.frame->has_depth;
   const Pose newest_from_before = newest.world_from_cam.inverse() * world_from_earlier_;
-  std::vector<double> shifts;
-  for (std::size_t i = 0; i < placed.points.size(); ++i) {
-    const Eigen::Vector3d X = newest_from_before * placed.matches[i].X;
-    if (!placed.pose.inliers[i] || X.z() <= 0) continue;
-    const Eigen::Vector3d turned = world_from_before_.R.transpose() * newest.world_from_cam.R * X,
-                          x = world_from_before_.inverse() * (newest.world_from_cam * X);
-    if (turned.z() > 0 && x.z() > 0)
-      shifts.push_back((turned.head<2>() / turned.z() - x.head<2>() / x.z()).norm());
-  }
-  if (shifts.empty()) return true;
-  const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(shifts.size() / 2);
-  std::nth_element(shifts.begin(), middle, shifts.end());
-  return *middle * std::abs(camera_.fx) > options_.map.keyframe_shift * camera_.width;
-}
-
-// What a frame without depth says of how far the points are that it sees.
-std::vector<TrackedPoint> MapTracker::look_for_depth(const MapFrame& frame, const Placed& placed) {
-  constexpr int kBack = 4;
-  constexpr double kMaxErrorPx = 2, kSurePx = 0.5, kWellKnown = 0.03;
-  if (!frame.depth.empty()) return {};
-  const double focal = std::abs(camera_.fx);
-  const Pose cam_from_world = world_from_before_.inverse();
+  std::vector<Eigen::Vector3d> seen;  // in the newest keyframe
   for (std::size_t i = 0; i < placed.points.size(); ++i) {
     if (!placed.pose.inliers[i]) continue;
-    MapPoint& point = map_.point(placed.points[i].ref);
-    if (point.is_given_up || point.variance < std::pow(kWellKnown * point.inverse_z, 2)) continue;
-    const Pose cam_from_host = cam_from_world * map_.at(placed.points[i].ref.keyframe).world_from_cam;
-    take_in(point, placed.matches[i].ray, std::max(kSurePx, placed.points[i].sigma_px) / focal, cam_from_host,
-            kMaxErrorPx / focal);
+    need.known += map_.point(placed.points[i].ref).is_known();
+    seen.push_back(newest_from_before * placed.matches[i].X);
   }
-  std::vector<int> newest;
-  for (int id = std::max(map_.first_id(), map_.newest_id() + 1 - kBack); id <= map_.newest_id(); ++id)
-    newest.push_back(id);
-  std::vector<PointRef> tracked;
-  for (const TrackedPoint& point : placed.points) tracked.push_back(point.ref);
-  return trace_points(map_, newest, tracked, frame, world_from_before_, placed.shutter, camera_);
-}
-
-void MapTracker::guess_points(Keyframe& keyframe, const std::vector<TrackedPoint>& taken) {
-  const Pose cam_from_world = keyframe.world_from_cam.inverse();
-  std::vector<Eigen::Vector2d> places;
-  std::vector<DepthAtPixel> known;
-  for (const TrackedPoint& point : taken) {
-    places.push_back(point.pixel);
-    if (!map_.holds(point.ref.keyframe)) continue;
-    const MapPoint& map_point = map_.point(point.ref);
-    const double z =
-        (cam_from_world * (map_.at(point.ref.keyframe).world_from_cam * map_point.position())).z();
-    if (map_point.is_known() && z > 0) known.push_back({point.pixel, 1 / z});
-  }
-  add_guessed_points(keyframe, places, known, camera_);
+  if (!need.lives_on_motion) return need;
+  if (const auto shift = median_shift(seen, newest.world_from_cam, world_from_before_))
+    need.shift_px = *shift * std::abs(camera_.fx);
+  return need;
 }
 
 // Points that no depth image tells, from the keyframes before.
@@ -597,100 +383,20 @@ void MapTracker::adjust() {
   WindowOptions options;
   options.depth_noise = options_.depth_noise;
   const bool learns_lens = options_.map.learn_lens && camera_.model == CameraModel::kPinhole;
-  if (learns_lens) options.lens_information = lens_information_ / kLensShare;
+  if (learns_lens) options.lens_information = lens_.information_for_window();
   const WindowSummary window = adjust_window(map_, moving, still, options);
-  if (learns_lens) learn_lens(window);
+  if (const auto learned = learns_lens ? lens_.take_in(window, camera_) : std::nullopt) {
+    map_.set_camera(camera_, *learned);
+    camera_ = *learned;
+  }
   const Pose& after = map_.newest().world_from_cam;
   motion_.correct(after * before.inverse());
   world_from_before_ = after;
 }
 
-// What windows say of the lens is taken as they share most of their views with the ones before, and as what
-// else they leave is alike in neighbours: they count for a share of what they hold.
-//   How far calibrations are off: Cvišić, Marković, Petrović, Recalibrating the KITTI dataset camera setup
-//   for improved odometry accuracy, ECMR 2021.
-void MapTracker::learn_lens(const WindowSummary& window) {
-  constexpr double kMost = 1 / (0.0005 * 0.0005);  // it may still be learned anew
-  constexpr double kNothing = 2e-5;                // a hundredth of a pixel at a corner
-  lens_information_ = std::min(kMost, std::max(lens_information_, kLensShare * window.lens_information));
-  if (!(std::abs(window.lens_correction) > kNothing)) return;
-  Camera learned = camera_;
-  learned.distortion[0] += window.lens_correction;
-  map_.set_camera(camera_, learned);
-  camera_ = learned;
-}
-
-// What a frame's depth says of the points it sees, until it is known as well as that: depth errors of one
-// place are alike from frame to frame.
-void MapTracker::fuse_depth(const Placed& placed) {
-  constexpr double kMostLooks = 10;
-  for (std::size_t i = 0; i < placed.points.size(); ++i) {
-    const MapMatch& match = placed.matches[i];
-    if (!placed.pose.inliers[i] || !(match.z > 0)) continue;
-    const PointRef& ref = placed.points[i].ref;
-    MapPoint& point = map_.point(ref);
-    const Pose host_from_cam = map_.at(ref.keyframe).world_from_cam.inverse() * world_from_before_;
-    const double z = (host_from_cam * (match.z * match.ray)).z();
-    if (!(z > 0)) continue;
-    const double sigma = placed.pose.depth_scale * options_.depth_noise.sigma(match.z) / (z * z);
-    const double information = 1 / (sigma * sigma), most = kMostLooks * information;
-    const double seen = 1 / z;
-    if (std::abs(seen - point.inverse_z) > 3 * std::sqrt(point.variance + sigma * sigma)) continue;
-    if (point.information >= most) continue;
-    const double sum = point.information + information;
-    point.measured = (point.information * point.measured + information * seen) / sum;
-    point.information = sum;
-    const double known = 1 / point.variance;
-    point.inverse_z = (known * point.inverse_z + information * seen) / (known + information);
-    point.variance = 1 / (known + information);
-  }
-}
-
-void MapTracker::add_points(Keyframe& keyframe, const std::vector<TrackedPoint>& taken) {
-  const MapFrame& frame = *keyframe.frame;
-  if (frame.levels.empty()) return;
-  constexpr double kApartPx = 6;
-  cv::Mat free(frame.levels[0].size(), CV_8U, cv::Scalar(1));
-  const auto take = [&](const Eigen::Vector2d& pixel) {
-    const int r = static_cast<int>(kApartPx);
-    const cv::Rect around(static_cast<int>(pixel.x()) - r, static_cast<int>(pixel.y()) - r, 2 * r + 1,
-                          2 * r + 1);
-    free(around & cv::Rect(0, 0, free.cols, free.rows)).setTo(0);
-  };
-  for (const TrackedPoint& point : taken) take(point.pixel);
-  const Pose depth_from_cam = options_.map.follow ? motion_.motion_during(frame.depth_delay) : Pose();
-  for (int i = 0; i < static_cast<int>(frame.rays.size()); ++i) {
-    const Eigen::Vector2d pixel = frame.pixel(i);
-    const int u = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, free.cols - 1);
-    const int v = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, free.rows - 1);
-    if (free.at<std::uint8_t>(v, u) == 0) continue;
-    const auto z = depth_along(frame, frame.rays[i], depth_from_cam, camera_, options_.depth);
-    if (!z) continue;
-    take(pixel);
-    const double row = row_of(camera_, pixel.y());
-    const double z_middle = keyframe.shutter.depth_at_middle(frame.rays[i], row, *z);
-    const double sigma = options_.depth_noise.sigma(z_middle) / (z_middle * z_middle);
-    MapPoint point{
-        i, keyframe.shutter.at_middle(frame.rays[i], row), 1 / z_middle, sigma * sigma, 0, 0, {}, 0, 0};
-    point.measured = point.inverse_z;
-    point.information = 1 / point.variance;
-    keyframe.points.push_back(point);
-  }
-}
-
 void MapTracker::remember(const MapFrame& frame, const Pose& world_from_cam) {
-  constexpr std::size_t kTurns = 3;
-  turned_.emplace_back(frame.time, world_from_cam.R);
-  if (turned_.size() > kTurns) turned_.pop_front();
-  const int id = map_.newest_id();
-  trajectory_.push_back({id, map_.at(id).world_from_cam.inverse() * world_from_cam});
-}
-
-std::vector<Pose> MapTracker::final_poses() const {
-  std::vector<Pose> poses;
-  for (const Anchored& frame : trajectory_)
-    poses.push_back(map_.last_pose_of(frame.keyframe) * frame.keyframe_from_cam);
-  return poses;
+  turns_.add(frame.time, world_from_cam.R);
+  trajectory_.add(map_.newest_id(), world_from_cam, map_);
 }
 
 }  // namespace framewise

@@ -2,21 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "framewise/odometry/frame_pair.h"
-#include "framewise/odometry/local_map.h"
-#include "framewise/odometry/map_matching.h"
-#include "framewise/odometry/map_pose.h"
+#include "framewise/odometry/anchored_trajectory.h"
+#include "framewise/odometry/keyframe_choice.h"
+#include "framewise/odometry/lens_estimate.h"
+#include "framewise/odometry/map_placement.h"
 #include "framewise/odometry/motion_filter.h"
 #include "framewise/odometry/odometer.h"
-#include "framewise/odometry/pose_errors.h"
-#include "framewise/odometry/step.h"
 #include "framewise/odometry/two_view_start.h"
-#include "framewise/odometry/window_adjustment.h"
 
 namespace framewise {
 
@@ -25,6 +21,12 @@ struct MapTrack {
   Step step;  // from the frame before
   Pose world_from_cam;
   Correspondences seen;  // map points: where the frame before would see them and where this one does
+};
+
+// What a recording taught of its camera.
+struct LearnedCamera {
+  double k1_correction = 0;  // of the first radial coefficient, to be added to the calibration's
+  double readout = 0;        // of the rolling shutter, first row to last (s)
 };
 
 // The default odometer's serial part: frames come in their order, and each is placed against the keyframes
@@ -37,51 +39,31 @@ class MapTracker {
   MapTrack add(std::shared_ptr<MapFrame> frame);
 
   // world_from_cam of all frames as the keyframes ended: what the frames after them taught is in it.
-  std::vector<Pose> final_poses() const;
+  std::vector<Pose> final_poses() const { return trajectory_.poses(map_); }
+
+  LearnedCamera learned() const { return {lens_.correction(), readout_.seconds()}; }
 
  private:
-  // A pose measured against the map, in the axes of the frame before.
-  struct Placed {
-    MapPose pose;
-    std::vector<TrackedPoint> points;
-    std::vector<MapMatch> matches;
-    Shutter shutter;
-    int sought = 0, matched = 0, iterations = 0;
-  };
-
-  Correspondences seen_from_before(const Placed& placed) const;
-  std::vector<PlacedBy> placed_by(const Placed& placed) const;
-  void follow_errors(const Placed& placed);
-  Keyframe& add_keyframe(std::shared_ptr<const MapFrame> frame, const Pose& world_from_cam);
   MapTrack start(std::shared_ptr<MapFrame> frame);
   MapTrack start_without_depth(std::shared_ptr<MapFrame> frame);
-  void build_from_two_views(std::shared_ptr<MapFrame> frame, TwoViewStart& two_views);
+  void build_from_two_views(std::shared_ptr<MapFrame> frame, const TwoViewStart& two_views, double length);
   void place_waiting();
-  double first_length(const MapFrame& frame1, const MapFrame& frame2) const;
+  std::optional<double> first_length(const MapFrame& frame1, const MapFrame& frame2,
+                                     const TwoViewStart& two_views) const;
   MapTrack measured(std::shared_ptr<MapFrame> frame, const Placed& placed);
   MapTrack missed(std::shared_ptr<MapFrame> frame);
+  bool follow_meanwhile(std::shared_ptr<MapFrame> frame);
+  void go_on_as_meanwhile();
 
-  std::optional<Placed> place(MapFrame& frame, const Pose& predicted, std::optional<Placed>& unsure) const;
-  std::optional<Placed> place_by_pair(const MapFrame& frame, FrameView& view);
-  bool is_credible(const Placed& placed, double least_found = 0.2) const;
-  std::optional<FirstPose> find_first_pose(const MapFrame& frame, const Pose& predicted,
-                                           const std::vector<int>& keyframes, int& matched) const;
-  Placed refine(const MapFrame& frame, const Pose& cam_from_before, const std::vector<int>& keyframes,
-                int coarser, int max_points) const;
-  MapMatch match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, double sigma_px,
-                    const Shutter& shutter) const;
-  Shutter shutter_of(const Pose& cam_from_before, double time) const;
+  MapView view() const;
+  std::optional<Placed> find(const std::shared_ptr<MapFrame>& frame, FrameView& frame_view);
+  void follow_errors(const Placed& placed);
+  Keyframe& add_keyframe(std::shared_ptr<const MapFrame> frame, const Pose& world_from_cam);
   void become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam, const Placed* placed,
                        const std::vector<TrackedPoint>& traced = {});
-  bool wants_keyframe(const Placed& placed) const;
-  int count_known(const Placed& placed) const;
-  std::vector<TrackedPoint> look_for_depth(const MapFrame& frame, const Placed& placed);
-  void guess_points(Keyframe& keyframe, const std::vector<TrackedPoint>& taken);
-  void add_points(Keyframe& keyframe, const std::vector<TrackedPoint>& taken);
+  KeyframeNeed need_of_keyframe(const Placed& placed) const;
   void grow();
   void adjust();
-  void learn_lens(const WindowSummary& window);
-  void fuse_depth(const Placed& placed);
   void remember(const MapFrame& frame, const Pose& world_from_cam);
 
   Camera camera_;
@@ -93,29 +75,25 @@ class MapTracker {
   Pose world_from_before_, world_from_earlier_;  // the frame before, and the one before that
   double time_before_ = 0, time_measured_ = 0;
   PoseErrors errors_;
-  Matrix6d foretold_ = Matrix6d::Zero();  // how far cameras may have departed since one was measured
-  int missed_in_a_row_ = 0;
-  // The frame before, and the last one whose pose was measured, to relate a frame to where the map fails.
-  FrameView before_, measured_;
+  Matrix6d foretold_ = Matrix6d::Zero();  // how far the camera may have departed since it was measured
+  int missed_in_a_row_ = 0, measured_in_a_row_ = 0;
+  FrameView last_measured_;  // to relate a frame to where the map fails
   Pose world_from_measured_;
-  int measured_in_a_row_ = 0;
   int points_at_keyframe_ = 0;
   ReadoutEstimate readout_;
-  double lens_information_ = 1 / (0.02 * 0.02);  // of k1: what calibrations leave of it
-  Shutter shutter_;                              // of the newest frame
-  // Of the frames before: when, and how they were turned.
-  std::deque<std::pair<double, Eigen::Matrix3d>> turned_;
+  LensEstimate lens_;
+  Shutter shutter_;  // of the newest frame
+  RecentTurns turns_;
   double speed_ = 0;         // of the camera, when it was last measured (m/s, or the map's unit)
+  bool is_metric_ = false;   // by depth that was seen
   bool has_points_ = false;  // the map has a length and can be tracked against
-
-  // Of every frame: the keyframe it is told by.
-  struct Anchored {
-    int keyframe;
-    Pose keyframe_from_cam;
-  };
-  std::vector<Anchored> trajectory_;
+  AnchoredTrajectory trajectory_;
   // Frames that a map without depth has begun after, by their place in the trajectory.
   std::vector<std::pair<std::size_t, std::shared_ptr<const MapFrame>>> waiting_;
+  // While the map is not seen, what is seen instead: a map of its own, begun where the camera was believed to
+  // be then.
+  std::unique_ptr<MapTracker> meanwhile_;
+  Pose world_from_meanwhile_;
 };
 
 }  // namespace framewise

@@ -8,12 +8,19 @@
 #include "framewise/geometry/so3.h"
 
 namespace framewise {
+namespace {
+
+constexpr double kLag = 0.5;            // s
+constexpr double kLeastHalfLife = 0.2;  // s: a hand that moves the camera changes its mind about as fast
+
+}  // namespace
 
 void MotionFilter::start(double time, const Pose& world_from_cam) {
   time_ = time;
   world_from_cam_ = world_from_cam;
   rotation_ = {}, position_ = {};
   updates_ = 0;
+  time_then_ = std::numeric_limits<double>::quiet_NaN();
 }
 
 Pose MotionFilter::predict(double time) const {
@@ -42,6 +49,20 @@ Eigen::Vector3d MotionFilter::Axes::update(const Eigen::Vector3d& e, double nois
   return alpha * e;
 }
 
+void MotionFilter::Axes::compare_with_then() {
+  constexpr double kMemory = 0.2;  // of the newest pair
+  const double square = (velocity.squaredNorm() + velocity_then.squaredNorm()) / 2;
+  if (squares == 0) products = std::exp2(-kLag / kLeastHalfLife) * square, squares = square;
+  products = (1 - kMemory) * products + velocity.dot(velocity_then);
+  squares = (1 - kMemory) * squares + square;
+}
+
+double MotionFilter::Axes::share_kept(double seconds) const {
+  const double least = std::exp2(-kLag / kLeastHalfLife);
+  const double a_lag_later = squares > 0 ? std::clamp(products / squares, least, 1.0) : least;
+  return std::pow(a_lag_later, seconds / kLag);
+}
+
 Pose MotionFilter::update(double time, const Pose& measured, const Matrix6d& covariance) {
   const double dt = std::max(1e-6, time - time_);
   const Pose predicted = predict(time);
@@ -55,6 +76,12 @@ Pose MotionFilter::update(double time, const Pose& measured, const Matrix6d& cov
   time_ = time;
   world_from_cam_ = shrinks ? Pose{predicted.R * so3_exp(turned), predicted.t + moved} : measured;
   world_from_cam_.R = nearest_rotation(world_from_cam_.R);  // of thousands of products
+  if (time - time_then_ < kLag) return world_from_cam_;
+  for (Axes* axes : {&rotation_, &position_}) {
+    if (std::isfinite(time_then_)) axes->compare_with_then();
+    axes->velocity_then = axes->velocity;
+  }
+  time_then_ = time;
   return world_from_cam_;
 }
 
@@ -66,10 +93,9 @@ Matrix6d MotionFilter::departure() const {
 }
 
 void MotionFilter::coast(double time) {
-  constexpr double kHalfLife = 0.2;  // s: a hand that moves the camera changes its mind about as fast
   world_from_cam_ = predict(time);
-  const double kept = std::exp2(-std::max(0.0, time - time_) / kHalfLife);
-  rotation_.velocity *= kept, position_.velocity *= kept;
+  for (Axes* axes : {&rotation_, &position_}) axes->velocity *= axes->share_kept(std::max(0.0, time - time_));
+  time_then_ = std::numeric_limits<double>::quiet_NaN();
   time_ = time;
 }
 
@@ -77,6 +103,7 @@ void MotionFilter::correct(const Pose& new_from_old) {
   world_from_cam_ = new_from_old * world_from_cam_;
   world_from_cam_.R = nearest_rotation(world_from_cam_.R);
   position_.velocity = new_from_old.R * position_.velocity;
+  position_.velocity_then = new_from_old.R * position_.velocity_then;
 }
 
 }  // namespace framewise

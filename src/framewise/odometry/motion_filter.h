@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "framewise/geometry/pose.h"
 
 namespace framewise {
@@ -35,7 +37,8 @@ class MotionFilter {
 
   const PriorDraw& draw() const { return draw_; }  // of the last update
 
-  // No pose was measured: the camera goes on as it did, and slower and slower.
+  // No pose was measured: the camera goes on as it did, and slower and slower, the sooner the less its motion
+  // before was like itself half a second later: hands change their minds, vehicles seldom do.
   void coast(double time);
 
   // Poses of the map have moved: of the newest pose, from what was believed to what is believed now.
@@ -55,12 +58,19 @@ class MotionFilter {
     double innovation = -1;  // its mean square (per axis); negative: none yet
     double taken = 1;        // of the last innovation
     Eigen::Vector3d update(const Eigen::Vector3d& e, double noise, double dt, bool shrinks);
+
+    // Velocities a lag apart, their products and squares: how much of one is left in the next.
+    Eigen::Vector3d velocity_then = Eigen::Vector3d::Zero();
+    double products = 0, squares = 0;
+    void compare_with_then();
+    double share_kept(double seconds) const;
   };
 
   bool shrinks_;
   double time_ = 0;
   Pose world_from_cam_;
   Axes rotation_, position_;
+  double time_then_ = std::numeric_limits<double>::quiet_NaN();  // of velocity_then
   int updates_ = 0;
   PriorDraw draw_;
 };

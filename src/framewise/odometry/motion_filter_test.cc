@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "framewise/geometry/so3.h"
@@ -77,6 +78,26 @@ TEST(MotionFilter, WithoutShrinkingGivesWhatItIsGiven) {
     const Pose pose{so3_exp(draw(random, 0.01)), draw(random, 0.01)};
     EXPECT_LT((filter.update(i / kRate, pose, noise(1, 1)).matrix() - pose.matrix()).norm(), 1e-12);
   }
+}
+
+// How far a camera comes in a second without measurements, as a share of what its last velocity would take
+// it.
+double share_of_steady(const std::function<double(double)>& position) {
+  MotionFilter filter(false);
+  filter.start(0, {});
+  double last = 0;
+  for (int i = 1; i <= 240; ++i) {
+    filter.update(i / kRate, {Eigen::Matrix3d::Identity(), {position(i / kRate), 0, 0}}, noise(1e-9, 1e-9));
+    last = i / kRate;
+  }
+  const double velocity = (position(last) - position(last - 1 / kRate)) * kRate;
+  for (int i = 1; i <= kRate; ++i) filter.coast(last + i / kRate);
+  return (filter.predict(last + 1).t.x() - position(last)) / velocity;
+}
+
+TEST(MotionFilter, CoastsAsFarAsItsMotionUsedToLast) {
+  EXPECT_GT(share_of_steady([](double t) { return 8 * t; }), 0.9);                  // a car
+  EXPECT_LT(share_of_steady([](double t) { return 0.1 * std::sin(5 * t); }), 0.5);  // a hand
 }
 
 TEST(MotionFilter, CoastsEverSlower) {

@@ -44,8 +44,7 @@ struct Likeness {
 };
 Likeness likeness_of_neighbours(const std::vector<PlacedBy>& points) {
   constexpr int kCells = 16;
-  static const double kCell =
-      getenv("CELL") ? atof(getenv("CELL")) : 0.125;  // of the plane z = 1: a view of 90 degrees is 16 across
+  constexpr double kCell = 0.125;  // of the plane z = 1: a view of 90 degrees is 16 across
   std::array<Eigen::Vector3d, kCells * kCells> sums;
   sums.fill(Eigen::Vector3d::Zero());
   Eigen::Array3d squares = Eigen::Array3d::Zero(), of_sums = Eigen::Array3d::Zero();
@@ -93,11 +92,11 @@ Matrix6d symmetric(const Matrix6d& A) { return 0.5 * (A + A.transpose()); }
 
 }  // namespace
 
-void PoseErrors::start() {
+void PoseErrors::start(int first_id, int count) {
   *this = {};
-  keyframes_ = Eigen::MatrixXd::Zero(6, 6);
-  last_.with_keyframes.setZero(6, 6);
-  last_.is_keyframe = true;
+  first_id_ = first_id;
+  keyframes_.setZero(6 * count, 6 * count);
+  last_.with_keyframes.setZero(6, 6 * count);
 }
 
 PoseErrors::Changes PoseErrors::changes_since_last(const std::vector<PlacedBy>& points) const {

@@ -32,8 +32,8 @@ struct PlacedBy {
 //   as in Liang, Zeger, Longitudinal data analysis using generalized linear models, Biometrika 1986.
 class PoseErrors {
  public:
-  // The first camera: it is where it is by definition, and a keyframe.
-  void start();
+  // Keyframes and a last camera that are where they are by definition.
+  void start(int first_id, int count);
 
   // The next camera, placed by points. Fewer than three tell nothing: as if it were `moved` by an unknown
   // way.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "framewise/geometry/triangulation.h"
@@ -77,6 +78,46 @@ TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2
     start.points.clear(), start.seen_by.clear();
   }
   return start;
+}
+
+std::optional<double> length_by_depth(const TwoViewStart& two_views, const MapFrame& frame2,
+                                      const Camera& camera, const DepthLookupOptions& options) {
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < two_views.points.size(); ++i) {
+    const double unit_z = (two_views.cam2_from_cam1 * two_views.points[i].position()).z();
+    const auto z = depth_along(frame2, two_views.seen_by[i].ray2, {}, camera, options);
+    if (z && unit_z > 0) lengths.push_back(*z / unit_z);
+  }
+  constexpr std::size_t kFewest = 10;  // half of which may be of other surfaces
+  if (lengths.size() < kFewest) return std::nullopt;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+SeenByBoth add_two_views(LocalMap& map, std::shared_ptr<const MapFrame> frame2, const TwoViewStart& two_views,
+                         double length, const Camera& camera, const MapOptions& options) {
+  const int host_id = map.newest_id();
+  Pose cam2_from_cam1 = two_views.cam2_from_cam1;
+  cam2_from_cam1.t *= length;
+  const int viewer_id =
+      map.add(std::move(frame2), map.at(host_id).world_from_cam * cam2_from_cam1.inverse()).id;
+  Keyframe& host = map.at(host_id);
+  SeenByBoth seen;
+  for (std::size_t i = 0; i < two_views.points.size(); ++i) {
+    MapPoint point = two_views.points[i];
+    point.inverse_z /= length;
+    point.variance /= length * length;
+    const FeaturePair& pair = two_views.seen_by[i];
+    point.views.push_back(
+        {viewer_id, pair.ray2, std::max(options.least_sigma_px, pair.sigma_px) / std::abs(camera.fx),
+         std::numeric_limits<double>::quiet_NaN(), pair.ray2, row_of(camera, pair.pixel2.y())});
+    const PointRef ref{host_id, static_cast<int>(host.points.size())};
+    host.points.push_back(std::move(point));
+    seen.by_first.push_back({ref, host.frame->pixel(pair.feature1), host.frame->rays[pair.feature1], 1});
+    seen.by_second.push_back({ref, pair.pixel2, pair.ray2, pair.sigma_px});
+  }
+  return seen;
 }
 
 }  // namespace framewise

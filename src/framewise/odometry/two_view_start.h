@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "framewise/odometry/map_growth.h"
+#include "framewise/odometry/map_matching.h"
 
 namespace framewise {
 
@@ -37,5 +38,20 @@ struct TwoViewStart {
 //   Nistér, An efficient solution to the five-point relative pose problem, PAMI 2004.
 TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2, const Camera& camera,
                                   const TwoViewOptions& options);
+
+// The motion's length (m) by the depth image of camera 2: the median of what its points say. Empty where too
+// few have depth there.
+std::optional<double> length_by_depth(const TwoViewStart& two_views, const MapFrame& frame2,
+                                      const Camera& camera, const DepthLookupOptions& options);
+
+// A map's first points, where either keyframe has them.
+struct SeenByBoth {
+  std::vector<TrackedPoint> by_first, by_second;
+};
+
+// Makes camera 2 a keyframe, its motion from camera 1, the map's newest keyframe, of a length, and gives the
+// points to camera 1.
+SeenByBoth add_two_views(LocalMap& map, std::shared_ptr<const MapFrame> frame2, const TwoViewStart& two_views,
+                         double length, const Camera& camera, const MapOptions& options);
 
 }  // namespace framewise

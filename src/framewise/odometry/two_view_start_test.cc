@@ -51,5 +51,40 @@ TEST(StartFromTwoViews, NothingInCommonAndNothingAtAllAreUnrelated) {
   EXPECT_EQ(start_from_two_views({}, {}, Boxes::camera(), {}).kind, TwoViewStart::Kind::kUnrelated);
 }
 
+TEST(LengthByDepth, IsThatOfTheMotionWhereDepthTellsIt) {
+  const Pose world_from_cam2{so3_exp({0, -0.03, 0}), {0.15, 0.02, 0.03}};
+  MapFrame second = described(world_from_cam2);
+  const auto found = start_from_two_views(described({}), second, Boxes::camera(), {});
+  ASSERT_EQ(found.kind, TwoViewStart::Kind::kTriangulated);
+  const auto length = length_by_depth(found, second, Boxes::camera(), {});
+  ASSERT_TRUE(length);
+  EXPECT_NEAR(*length, world_from_cam2.t.norm(), 0.05 * world_from_cam2.t.norm());
+  second.depth.release();
+  EXPECT_FALSE(length_by_depth(found, second, Boxes::camera(), {}));
+}
+
+TEST(AddTwoViews, TheMapHasTheLengthThatWasAskedFor) {
+  const Pose world_from_cam2{so3_exp({0, -0.03, 0}), {0.15, 0.02, 0.03}};
+  const auto first = std::make_shared<MapFrame>(described({}));
+  const auto second = std::make_shared<MapFrame>(described(world_from_cam2));
+  const auto found = start_from_two_views(*first, *second, Boxes::camera(), {});
+  ASSERT_EQ(found.kind, TwoViewStart::Kind::kTriangulated);
+  const Pose world_from_cam1{so3_exp({0.3, 0, 0}), {1, 2, 3}};
+  LocalMap map(3);
+  map.add(first, world_from_cam1);
+  const double length = world_from_cam2.t.norm();
+  const SeenByBoth seen = add_two_views(map, second, found, length, Boxes::camera(), {});
+  EXPECT_NEAR((map.newest().world_from_cam.t - world_from_cam1.t).norm(), length, 1e-9);
+  ASSERT_EQ(map.at(0).points.size(), found.points.size());
+  ASSERT_EQ(seen.by_second.size(), found.points.size());
+  const Pose cam2_from_cam1 = map.newest().world_from_cam.inverse() * world_from_cam1;
+  for (std::size_t i = 0; i < seen.by_second.size(); ++i) {
+    const auto pixel = Boxes::camera().project(cam2_from_cam1 * map.point(seen.by_second[i].ref).position());
+    ASSERT_TRUE(pixel);
+    EXPECT_LT((*pixel - seen.by_second[i].pixel).norm(), 2);
+    EXPECT_EQ(map.at(0).points[i].views.size(), 1u);
+  }
+}
+
 }  // namespace
 }  // namespace framewise
