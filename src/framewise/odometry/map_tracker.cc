@@ -176,20 +176,35 @@ std::optional<MapTracker::Placed> MapTracker::place(MapFrame& frame, const Pose&
   const auto keyframes =
       keyframes_in_view(map_, predicted, camera_, options_.map.newest, options_.map.others);
   const Pose predicted_from_before = predicted.inverse() * world_from_before_;
-  constexpr int kNearby = 0, kFar = 3, kFew = 150;
-  Placed placed = refine(frame, predicted_from_before, keyframes, kFar, kFew);
-  if (is_credible(placed))
-    placed = refine(frame, placed.pose.cam_from_reference, keyframes, kNearby, options_.map.points);
-  if (is_credible(placed)) return placed;
+  constexpr int kFar = 3, kFew = 150;
+  const Placed from_afar = refine(frame, predicted_from_before, keyframes, kFar, kFew);
+  if (is_credible(from_afar))
+    if (auto placed = look_nearby(frame, from_afar.pose.cam_from_reference, keyframes)) return placed;
 
   describe(frame, camera_, options_.map);
   int matched = 0;
   const auto first = find_first_pose(frame, predicted, keyframes, matched);
   if (!first) return std::nullopt;
-  placed = refine(frame, first->cam_from_reference, keyframes, kNearby, options_.map.points);
-  placed.matched = std::max(matched, placed.matched);
-  placed.iterations = first->iterations;
-  return is_credible(placed) ? std::optional(placed) : std::nullopt;
+  auto placed = look_nearby(frame, first->cam_from_reference, keyframes);
+  if (!placed) return std::nullopt;
+  placed->matched = std::max(matched, placed->matched);
+  placed->iterations = first->iterations;
+  return placed;
+}
+
+// All patches around where a pose has them, and again from the pose that they give while that is so far off
+// the other that many may have been missed.
+std::optional<MapTracker::Placed> MapTracker::look_nearby(const MapFrame& frame, Pose cam_from_before,
+                                                          const std::vector<int>& keyframes) const {
+  constexpr int kNearby = 0, kMostLooks = 3;
+  for (int look = 1;; ++look) {
+    Placed placed = refine(frame, cam_from_before, keyframes, kNearby, options_.map.points);
+    if (!is_credible(placed)) return std::nullopt;
+    const Pose& found = placed.pose.cam_from_reference;
+    const double shift_px = shift_between(placed.matches, cam_from_before, found) * std::abs(camera_.fx);
+    if (shift_px < options_.map.look_again_px || look == kMostLooks) return placed;
+    cam_from_before = found;
+  }
 }
 
 // Most of what is found agrees, to the noise of a place that is found at all.
@@ -286,8 +301,10 @@ MapTracker::Placed MapTracker::refine(const MapFrame& frame, const Pose& cam_fro
   for (const TrackedPoint& point : placed.points) {
     const double row = row_of(camera_, point.pixel.y());
     MapMatch match = match_of(point.ref, point.ray, row, point.sigma_px, placed.shutter);
-    if (const auto z = depth_along(frame, point.ray, depth_from_cam, camera_, options_.depth))
-      match.z = placed.shutter.depth_at_middle(point.ray, row, *z);
+    if (const auto plane = depth_along(frame, point.ray, depth_from_cam, camera_, options_)) {
+      match.z = placed.shutter.depth_at_middle(point.ray, row, plane->z);
+      match.z_share = plane->noise_share;
+    }
     const Keyframe& host = map_.at(point.ref.keyframe);
     const MapPoint& map_point = host.points[point.ref.point];
     const Eigen::Matrix3d cam_from_host =
@@ -545,7 +562,8 @@ void MapTracker::fuse_depth(const Placed& placed) {
     const Pose host_from_cam = map_.at(ref.keyframe).world_from_cam.inverse() * world_from_before_;
     const double z = (host_from_cam * (match.z * match.ray)).z();
     if (!(z > 0)) continue;
-    const double sigma = placed.pose.depth_scale * options_.depth_noise.sigma(match.z) / (z * z);
+    const double sigma =
+        placed.pose.depth_scale * match.z_share * options_.depth_noise.sigma(match.z) / (z * z);
     const double information = 1 / (sigma * sigma), most = kMostLooks * information;
     const double seen = 1 / z;
     if (std::abs(seen - point.inverse_z) > 3 * std::sqrt(point.variance + sigma * sigma)) continue;
@@ -577,14 +595,15 @@ void MapTracker::add_points(Keyframe& keyframe, const std::vector<TrackedPoint>&
     const int u = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, free.cols - 1);
     const int v = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, free.rows - 1);
     if (free.at<std::uint8_t>(v, u) == 0) continue;
-    const auto z = depth_along(frame, frame.rays[i], depth_from_cam, camera_, options_.depth);
-    if (!z) continue;
+    const auto plane = depth_along(frame, frame.rays[i], depth_from_cam, camera_, options_);
+    if (!plane) continue;
     take(pixel);
     const double row = row_of(camera_, pixel.y());
-    const double z_middle = keyframe.shutter.depth_at_middle(frame.rays[i], row, *z);
-    const double sigma = options_.depth_noise.sigma(z_middle) / (z_middle * z_middle);
+    const double z_middle = keyframe.shutter.depth_at_middle(frame.rays[i], row, plane->z);
+    const double sigma = plane->noise_share * options_.depth_noise.sigma(z_middle) / (z_middle * z_middle);
     MapPoint point{
         i, keyframe.shutter.at_middle(frame.rays[i], row), 1 / z_middle, sigma * sigma, 0, 0, {}, 0, 0};
+    point.slope = plane->slope;
     point.measured = point.inverse_z;
     point.information = 1 / point.variance;
     keyframe.points.push_back(point);

@@ -57,6 +57,8 @@ class MapTracker {
   MapTrack missed(std::shared_ptr<MapFrame> frame);
 
   std::optional<Placed> place(MapFrame& frame, const Pose& predicted) const;
+  std::optional<Placed> look_nearby(const MapFrame& frame, Pose cam_from_before,
+                                    const std::vector<int>& keyframes) const;
   bool is_credible(const Placed& placed) const;
   std::optional<FirstPose> find_first_pose(const MapFrame& frame, const Pose& predicted,
                                            const std::vector<int>& keyframes, int& matched) const;
