@@ -80,7 +80,6 @@ void visit_map_options(OdometryOptions& o, Visit&& visit) {
   visit("fuse", o.map.fuse, "map: depth of later frames into the points");
   visit("follow-delay", o.map.follow, "map: depth to where the camera was when it was taken");
   visit("unskew", o.map.unskew, "map: a rolling shutter's rows, by a readout that is learned");
-  visit("planes", o.map.planes, "map: depths and warps from the plane around a point");
   visit("learn-lens", o.map.learn_lens,
         "map: what the calibration leaves of the lens, learned without depth");
   visit("map-features", o.map.features, "map: features of a keyframe");
@@ -93,6 +92,8 @@ void visit_map_options(OdometryOptions& o, Visit&& visit) {
   visit("other-keyframes", o.map.others, "map: and those most in view");
   visit("map-points", o.map.points, "map: points tracked in a frame");
   visit("map-window-px", o.map.window_px, "map: how far from where it is expected a point is looked for");
+  visit("plane-reach-px", o.map.plane_reach_px,
+        "map: depths and warps from the plane this far around a point; 0: from its pixel");
   visit("look-again-px", o.map.look_again_px,
         "map: a pose that shifts what is seen by more has its patches looked for again (pixels)");
   visit("least-sigma-px", o.map.least_sigma_px, "map: least noise of a tracked point (pixels)");

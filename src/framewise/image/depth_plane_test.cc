@@ -88,11 +88,11 @@ TEST(DepthPlaneAt, ItsNoiseIsTheShareItSaysWherePixelsHaveTheirOwn) {
 
 TEST(DepthPlaneAt, ASlopeThatNoiseHidesIsTakenForNone) {
   const Wall wall{0.5, {0.3, 0}};
-  const DepthNoise sure{1e-5, 0, 0.4}, unsure{0.5, 0, 0.4};
+  const DepthNoise sure{1e-5, 0, 0.4}, unsure{1, 0, 0.4};
   const cv::Mat depth = image_of(wall);
   EXPECT_NEAR(depth_plane_at(depth, {30, 20}, kCamera, sure, {})->slope.x(), 0.3, 1e-3);
   const auto plane = depth_plane_at(depth, {30, 20}, kCamera, unsure, {});
-  EXPECT_LT(plane->slope.x(), 0.03);
+  EXPECT_LT(plane->slope.x(), 0.05);
   EXPECT_LE(plane->noise_share, 1);
 }
 

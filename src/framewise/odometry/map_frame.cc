@@ -54,8 +54,10 @@ std::optional<DepthPlane> depth_along(const MapFrame& frame, const Eigen::Vector
   const auto pixel = camera.project(turned);
   if (!pixel || turned.z() <= 0) return std::nullopt;
   std::optional<DepthPlane> plane;
-  if (options.map.planes)
-    plane = depth_plane_at(frame.depth, *pixel, camera, options.depth_noise, options.depth);
+  DepthPlaneOptions around;
+  around.reach_px = options.map.plane_reach_px;
+  if (around.reach_px > 0)
+    plane = depth_plane_at(frame.depth, *pixel, camera, options.depth_noise, options.depth, around);
   else if (const auto z = depth_at(frame.depth, *pixel, options.depth))
     plane = DepthPlane{*z};
   if (!plane) return std::nullopt;

@@ -42,7 +42,7 @@ void describe(MapFrame& frame, const Camera& camera, const MapOptions& options);
 // The ray on the plane z = 1 that projects to a pixel; empty where there is none that looks forward.
 std::optional<Eigen::Vector3d> plane_ray(const Camera& camera, const Eigen::Vector2d& pixel);
 
-// The surface that a frame's gray image shows along a ray, with the plane around it if options.map.planes.
+// The surface that a frame's gray image shows along a ray, with the plane around it within plane_reach_px.
 // The depth image may have been taken while the camera stood elsewhere, at depth_from_cam, and shows the same
 // point at another pixel and depth.
 std::optional<DepthPlane> depth_along(const MapFrame& frame, const Eigen::Vector3d& ray,

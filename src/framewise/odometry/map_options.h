@@ -16,7 +16,6 @@ struct MapOptions {
   bool fuse = true;             // depth of later frames into the points
   bool follow = true;           // depth to where the camera was when it was taken
   bool unskew = true;           // a rolling shutter's rows, by a readout that is learned (rolling_shutter.h)
-  bool planes = true;           // depths and warps from the plane around a point (depth_plane.h)
   bool learn_lens = true;       // without depth: what the calibration leaves of it (window_adjustment.h)
   int features = 1000;          // of a keyframe
   std::string spread = "grid";  // over the image: crowded ones say the same (spread.h)
@@ -28,6 +27,8 @@ struct MapOptions {
   int others = 4;         // and those most in view
   int points = 500;       // tracked in a frame: more take longer and add little
   double window_px = 40;  // how far from where it is expected a point is looked for
+  // Depths and warps are of the plane through so many pixels around a point (depth_plane.h); 0: of its pixel.
+  int plane_reach_px = 3;
   // A pose that shifts what is seen by more has its patches looked for again: half of what they find.
   double look_again_px = 2;
   double least_sigma_px = 0.1;  // lens and shutter are not known better than this, whatever a patch says
