@@ -92,6 +92,10 @@ void visit_map_options(OdometryOptions& o, Visit&& visit) {
   visit("other-keyframes", o.map.others, "map: and those most in view");
   visit("map-points", o.map.points, "map: points tracked in a frame");
   visit("map-window-px", o.map.window_px, "map: how far from where it is expected a point is looked for");
+  visit("plane-reach-px", o.map.plane_reach_px,
+        "map: depths and warps from the plane this far around a point; 0: from its pixel");
+  visit("look-again-px", o.map.look_again_px,
+        "map: a pose that shifts what is seen by more has its patches looked for again (pixels)");
   visit("least-sigma-px", o.map.least_sigma_px, "map: least noise of a tracked point (pixels)");
   visit("map-min-inliers", o.map.min_inliers, "map: with fewer a frame is not measured");
   visit("max-coast", o.map.max_coast, "map: how long the motion goes on unmeasured (s)");

@@ -17,16 +17,18 @@ std::vector<MapMatch> match_points(const MapFrame& first, const MapFrame& second
   for (const FeatureMatch& match :
        match_brute_force(first.features.descriptors, second.features.descriptors)) {
     const Eigen::Vector3d& ray1 = first.rays[match.index1];
-    const auto z1 = depth_along(first, ray1, Pose(), camera, options.depth);
-    if (!z1) continue;
+    const auto plane1 = depth_along(first, ray1, Pose(), camera, options.odometry);
+    if (!plane1) continue;
     const double sigma1 = options.sigma_px * first.features.scale(match.index1) / focal;
     MapMatch point;
-    point.X = point_at_depth(ray1, *z1);
-    point.S = point_covariance(ray1, *z1, sigma1, options.depth_noise.sigma(*z1));
+    point.X = point_at_depth(ray1, plane1->z);
+    point.S = point_covariance(ray1, plane1->z, sigma1,
+                               plane1->noise_share * options.odometry.depth_noise.sigma(plane1->z));
     point.ray = second.rays[match.index2];
     point.sigma = options.sigma_px * second.features.scale(match.index2) / focal;
-    point.z = depth_along(second, point.ray, Pose(), camera, options.depth)
-                  .value_or(std::numeric_limits<double>::quiet_NaN());
+    point.z = std::numeric_limits<double>::quiet_NaN();
+    if (const auto plane2 = depth_along(second, point.ray, Pose(), camera, options.odometry))
+      point.z = plane2->z, point.z_share = plane2->noise_share;
     matches.push_back(point);
   }
   return matches;
@@ -58,7 +60,7 @@ std::optional<MapPose> pose_from_pair(FrameView& first, FrameView& second, const
   FirstPoseOptions first_options;
   first_options.max_error = options.max_error_px / std::abs(camera.fx);
   first_options.min_inliers = options.min_inliers;
-  first_options.ransac = options.ransac;
+  first_options.ransac = options.odometry.ransac;
   const auto found = first_pose(matches, prior, first_options);
   if (!found) return std::nullopt;
   std::vector<MapMatch> agreeing;
@@ -67,7 +69,7 @@ std::optional<MapPose> pose_from_pair(FrameView& first, FrameView& second, const
     if (x.z() > 0 && (x.head<2>() / x.z() - match.ray.head<2>()).norm() < first_options.max_error)
       agreeing.push_back(match);
   }
-  MapPose pose = refine_map_pose(agreeing, found->cam_from_reference, options.depth_noise);
+  MapPose pose = refine_map_pose(agreeing, found->cam_from_reference, options.odometry.depth_noise);
   const bool holds = pose.num_inliers >= options.min_inliers && pose.covariance.allFinite();
   return holds ? std::optional(std::move(pose)) : std::nullopt;
 }

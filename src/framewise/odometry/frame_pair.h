@@ -28,10 +28,8 @@ class FrameView {
 struct FramePairOptions {
   double sigma_px = 1;  // of a corner, which lies at a whole pixel of its level
   double max_error_px = 4;
-  int min_inliers = 40;  // of a thousand matches some ten agree with any pose
-  RansacOptions ransac;
-  DepthLookupOptions depth;
-  DepthNoise depth_noise;
+  int min_inliers = 40;      // of a thousand matches some ten agree with any pose
+  OdometryOptions odometry;  // RANSAC, depth and its noise
 };
 
 // cam2_from_cam1 of two frames by their features alone, anywhere in the image: points that the first one's

@@ -37,6 +37,8 @@ struct MapPoint {
   std::vector<PointView> views;
   int sought = 0, found = 0;  // in how many frames, while its depth was not known
   bool is_given_up = false;   // it was not what it was taken for
+  // Of the surface around: d inverse_z / d ray (1/m); 0: across the line of sight.
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();
 
   // Else it is a direction and a guess of how far that reaches.
   bool is_known() const {

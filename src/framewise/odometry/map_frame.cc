@@ -60,18 +60,24 @@ std::optional<Eigen::Vector3d> plane_ray(const Camera& camera, const Eigen::Vect
   return *bearing / bearing->z();
 }
 
-std::optional<double> depth_along(const MapFrame& frame, const Eigen::Vector3d& ray,
-                                  const Pose& depth_from_cam, const Camera& camera,
-                                  const DepthLookupOptions& options) {
+std::optional<DepthPlane> depth_along(const MapFrame& frame, const Eigen::Vector3d& ray,
+                                      const Pose& depth_from_cam, const Camera& camera,
+                                      const OdometryOptions& options) {
   if (frame.depth.empty()) return std::nullopt;
   const Eigen::Vector3d turned = depth_from_cam.R * ray;
   const auto pixel = camera.project(turned);
   if (!pixel || turned.z() <= 0) return std::nullopt;
-  const auto z = depth_at(frame.depth, *pixel, options);
-  if (!z) return std::nullopt;
-  const Eigen::Vector3d in_depth_cam = turned * (*z / turned.z());
-  const double z_in_cam = (depth_from_cam.inverse() * in_depth_cam).z();
-  return z_in_cam > 0 ? std::optional(z_in_cam) : std::nullopt;
+  std::optional<DepthPlane> plane;
+  DepthPlaneOptions around;
+  around.reach_px = options.map.plane_reach_px;
+  if (around.reach_px > 0)
+    plane = depth_plane_at(frame.depth, *pixel, camera, options.depth_noise, options.depth, around);
+  else if (const auto z = depth_at(frame.depth, *pixel, options.depth))
+    plane = DepthPlane{*z};
+  if (!plane) return std::nullopt;
+  const Eigen::Vector3d in_depth_cam = turned * (plane->z / turned.z());
+  plane->z = (depth_from_cam.inverse() * in_depth_cam).z();
+  return plane->z > 0 ? plane : std::nullopt;
 }
 
 }  // namespace framewise

@@ -9,7 +9,7 @@
 #include "framewise/features/features.h"
 #include "framewise/features/warped_patch.h"
 #include "framewise/geometry/camera.h"
-#include "framewise/image/depth.h"
+#include "framewise/image/depth_plane.h"
 #include "framewise/image/frame.h"
 #include "framewise/odometry/options.h"
 
@@ -42,10 +42,11 @@ void describe(MapFrame& frame, const Camera& camera, const MapOptions& options);
 // The ray on the plane z = 1 that projects to a pixel; empty where there is none that looks forward.
 std::optional<Eigen::Vector3d> plane_ray(const Camera& camera, const Eigen::Vector2d& pixel);
 
-// Depth (m) of what a frame's gray image shows along a ray. The depth image may have been taken while the
-// camera stood elsewhere, at depth_from_cam, and shows the same point at another pixel and depth.
-std::optional<double> depth_along(const MapFrame& frame, const Eigen::Vector3d& ray,
-                                  const Pose& depth_from_cam, const Camera& camera,
-                                  const DepthLookupOptions& options);
+// The surface that a frame's gray image shows along a ray, with the plane around it within plane_reach_px.
+// The depth image may have been taken while the camera stood elsewhere, at depth_from_cam, and shows the same
+// point at another pixel and depth.
+std::optional<DepthPlane> depth_along(const MapFrame& frame, const Eigen::Vector3d& ray,
+                                      const Pose& depth_from_cam, const Camera& camera,
+                                      const OdometryOptions& options);
 
 }  // namespace framewise

@@ -109,11 +109,14 @@ std::vector<FeatureOfPoint> match_anywhere(const Keyframe& keyframe, const MapFr
 }
 
 std::optional<Eigen::Matrix2d> warp_of_patch(const Eigen::Vector3d& x_in_host, const Pose& cam_from_host,
-                                             const Camera& camera) {
+                                             const Camera& camera, const Eigen::Vector2d& slope) {
   const auto in_host = camera.project_jacobian(x_in_host);
   const auto in_cam = camera.project_jacobian(cam_from_host * x_in_host);
   if (!in_host || !in_cam) return std::nullopt;
-  return *in_cam * cam_from_host.R.leftCols<2>() * in_host->leftCols<2>().inverse();
+  Eigen::Matrix<double, 3, 2> along = Eigen::Matrix<double, 3, 2>::Zero();
+  along.topRows<2>().setIdentity();
+  along -= x_in_host * slope.transpose();
+  return *in_cam * cam_from_host.R * along * in_host->leftCols<2>().inverse();
 }
 
 std::vector<TrackedPoint> track_map_points(const LocalMap& map, const std::vector<VisiblePoint>& points,
@@ -127,7 +130,8 @@ std::vector<TrackedPoint> track_map_points(const LocalMap& map, const std::vecto
     const VisiblePoint& visible = points[i];
     const Keyframe& host = map.at(visible.ref.keyframe);
     const MapPoint& point = host.points[visible.ref.point];
-    const auto warp = warp_of_patch(point.position(), cam_from_world * host.world_from_cam, camera);
+    const auto warp =
+        warp_of_patch(point.position(), cam_from_world * host.world_from_cam, camera, point.slope);
     if (!warp) continue;
     const auto found = track_from_coarse(
         host.frame->levels, frame.levels,

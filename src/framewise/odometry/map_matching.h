@@ -44,8 +44,10 @@ int level_of(const Keyframe& host, const MapPoint& point, const Eigen::Matrix2d&
 std::optional<TrackedPatch> track_from_coarse(const ImageLevels& host, const ImageLevels& frame,
                                               PatchWarp warp, int coarser);
 
-// How an offset from the point's pixel in the host looks in a camera; empty where either does not see it.
+// How an offset from the point's pixel in the host, on a surface of that slope (MapPoint), looks in a camera;
+// empty where either does not see it.
 std::optional<Eigen::Matrix2d> warp_of_patch(const Eigen::Vector3d& x_in_host, const Pose& cam_from_host,
-                                             const Camera& camera);
+                                             const Camera& camera,
+                                             const Eigen::Vector2d& slope = Eigen::Vector2d::Zero());
 
 }  // namespace framewise

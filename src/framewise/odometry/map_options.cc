@@ -26,6 +26,8 @@ void MapOptions::check() const {
   require(others >= 0, "other-keyframes", others, "0 or more");
   require(points >= 50, "map-points", points, "at least 50");
   require(window_px > 0 && window_px < 1e4, "map-window-px", window_px, "more than 0, less than 10000");
+  require(plane_reach_px >= 0 && plane_reach_px <= 20, "plane-reach-px", plane_reach_px, "0 to 20");
+  require(look_again_px > 0, "look-again-px", look_again_px, "more than 0");
   require(least_sigma_px > 0, "least-sigma-px", least_sigma_px, "more than 0");
   require(min_inliers >= 8, "map-min-inliers", min_inliers, "at least 8");
   require(max_coast >= 0, "max-coast", max_coast, "at least 0");

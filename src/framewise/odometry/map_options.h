@@ -22,11 +22,15 @@ struct MapOptions {
   double keyframe_share = 0.7;  // a frame that sees less than this of what the last keyframe saw becomes one
   // Without depth also one whose motion shifted what it sees by so much of the image's width.
   double keyframe_shift = 0.006;
-  int keyframes = 40;           // kept; beyond, the oldest and its points are forgotten
-  int newest = 4;               // of them tracked against and adjusted whatever they see,
-  int others = 4;               // and those most in view
-  int points = 500;             // tracked in a frame: more take longer and add little
-  double window_px = 40;        // how far from where it is expected a point is looked for
+  int keyframes = 40;     // kept; beyond, the oldest and its points are forgotten
+  int newest = 4;         // of them tracked against and adjusted whatever they see,
+  int others = 4;         // and those most in view
+  int points = 500;       // tracked in a frame: more take longer and add little
+  double window_px = 40;  // how far from where it is expected a point is looked for
+  // Depths and warps are of the plane through so many pixels around a point (depth_plane.h); 0: of its pixel.
+  int plane_reach_px = 3;
+  // A pose that shifts what is seen by more has its patches looked for again: half of what they find.
+  double look_again_px = 2;
   double least_sigma_px = 0.1;  // lens and shutter are not known better than this, whatever a patch says
   int min_inliers = 20;         // fewer points agree by chance
   double max_coast = 1.0;       // without a measured pose the motion goes on for so long (s)

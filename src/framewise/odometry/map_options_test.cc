@@ -21,6 +21,8 @@ TEST(MapOptions, WhatMakesNoSenseIsNamedWithWhatWasFound) {
       {"keyframes: found 1", [](MapOptions& o) { o.keyframes = 1; }},
       {"map-points: found 5", [](MapOptions& o) { o.points = 5; }},
       {"map-window-px: found 0", [](MapOptions& o) { o.window_px = 0; }},
+      {"plane-reach-px: found -1", [](MapOptions& o) { o.plane_reach_px = -1; }},
+      {"look-again-px: found 0", [](MapOptions& o) { o.look_again_px = 0; }},
       {"least-sigma-px: found 0", [](MapOptions& o) { o.least_sigma_px = 0; }},
       {"map-min-inliers: found 2", [](MapOptions& o) { o.min_inliers = 2; }},
       {"max-coast: found -1", [](MapOptions& o) { o.max_coast = -1; }}};

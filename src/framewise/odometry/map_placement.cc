@@ -120,8 +120,10 @@ Placed place_near(const MapFrame& frame, const Pose& cam_from_before, const std:
   for (const TrackedPoint& point : placed.points) {
     const double row = row_of(view.camera, point.pixel.y());
     MapMatch match = match_of(point.ref, point.ray, row, point.sigma_px, placed.shutter, view);
-    if (const auto z = depth_along(frame, point.ray, to_depth, view.camera, view.options.depth))
-      match.z = placed.shutter.depth_at_middle(point.ray, row, *z);
+    if (const auto plane = depth_along(frame, point.ray, to_depth, view.camera, view.options)) {
+      match.z = placed.shutter.depth_at_middle(point.ray, row, plane->z);
+      match.z_share = plane->noise_share;
+    }
     set_skew(point.ref, cam_from_before.R, row, placed.shutter, view, match);
     placed.matches.push_back(match);
   }
@@ -129,15 +131,31 @@ Placed place_near(const MapFrame& frame, const Pose& cam_from_before, const std:
   return placed;
 }
 
+// All patches around where a pose has them, and again from the pose that they give while that is so far off
+// the other that many may have been missed.
+Placed look_nearby(const MapFrame& frame, Pose cam_from_before, const std::vector<int>& keyframes,
+                   const MapView& view, double least_found = 0.2) {
+  constexpr int kNearby = 0, kMostLooks = 3;
+  const MapOptions& options = view.options.map;
+  for (int look = 1;; ++look) {
+    Placed placed = place_near(frame, cam_from_before, keyframes, kNearby, options.points, view);
+    const Pose& found = placed.pose.cam_from_reference;
+    if (!is_credible(placed, options, least_found) || look == kMostLooks) return placed;
+    const double shift = shift_between(placed.matches, cam_from_before, found);
+    if (shift * std::abs(view.camera.fx) < options.look_again_px) return placed;
+    cam_from_before = found;
+  }
+}
+
 std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapView& view,
                             std::optional<Placed>& unsure) {
   const MapOptions& options = view.options.map;
   const auto keyframes = keyframes_in_view(view.map, predicted, view.camera, options.newest, options.others);
   const Pose predicted_from_before = predicted.inverse() * view.world_from_before;
-  constexpr int kNearby = 0, kFar = 3, kFew = 150;
+  constexpr int kFar = 3, kFew = 150;
   Placed placed = place_near(frame, predicted_from_before, keyframes, kFar, kFew, view);
   if (is_credible(placed, options))
-    placed = place_near(frame, placed.pose.cam_from_reference, keyframes, kNearby, options.points, view);
+    placed = look_nearby(frame, placed.pose.cam_from_reference, keyframes, view);
   if (is_credible(placed, options, kMoreThanChance)) return placed;
   if (is_credible(placed, options)) unsure = placed;
 
@@ -146,7 +164,7 @@ std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapVie
   const auto first = find_first_pose(frame, predicted, keyframes, view, matched);
   // From here it is the features that vouch for the pose.
   if (!first || first->inliers < 2 * options.min_inliers) return std::nullopt;
-  placed = place_near(frame, first->cam_from_reference, keyframes, kNearby, options.points, view);
+  placed = look_nearby(frame, first->cam_from_reference, keyframes, view, kFewWillDo);
   placed.matched = std::max(matched, placed.matched);
   placed.iterations = first->iterations;
   return is_credible(placed, options, kFewWillDo) ? std::optional(placed) : std::nullopt;
@@ -156,10 +174,8 @@ std::optional<Placed> place_by_pair(const MapFrame& frame, FrameView& frame_view
                                     const Pose& world_from_earlier, const Pose& predicted,
                                     const MapView& view) {
   FramePairOptions options;
-  options.depth = view.options.depth;
-  options.depth_noise = view.options.depth_noise;
-  options.ransac = view.options.ransac;
-  options.ransac.seed = view.options.seed + 0xd1b54a32d192ed03ull * (frame.index + 1);
+  options.odometry = view.options;
+  options.odometry.ransac.seed = view.options.seed + 0xd1b54a32d192ed03ull * (frame.index + 1);
   const auto pair =
       pose_from_pair(earlier, frame_view, predicted.inverse() * world_from_earlier, view.camera, options);
   if (!pair) return std::nullopt;
@@ -173,8 +189,7 @@ std::optional<Placed> place_by_pair(const MapFrame& frame, FrameView& frame_view
   const auto keyframes =
       keyframes_in_view(view.map, view.world_from_before * placed.pose.cam_from_reference.inverse(),
                         view.camera, view.options.map.newest, view.options.map.others);
-  const Placed refined =
-      place_near(frame, placed.pose.cam_from_reference, keyframes, 0, view.options.map.points, view);
+  const Placed refined = look_nearby(frame, placed.pose.cam_from_reference, keyframes, view, kFewWillDo);
   return is_credible(refined, view.options.map, kFewWillDo) ? refined : placed;
 }
 
@@ -191,7 +206,7 @@ std::vector<PlacedBy> placed_by(const Placed& placed, const DepthNoise& noise) {
     point.ray_residual = point.x_in_cam.head<2>() / point.x_in_cam.z() - match.ray.head<2>();
     point.ray_sigma = placed.pose.ray_scale * match.sigma;
     if (match.z > 0) {
-      const double sigma = placed.pose.depth_scale * noise.sigma(match.z);
+      const double sigma = placed.pose.depth_scale * match.z_share * noise.sigma(match.z);
       point.z_residual = point.x_in_cam.z() - match.z;
       if (std::abs(point.z_residual) < 3 * std::hypot(sigma, std::sqrt(point.S(2, 2)))) point.z_sigma = sigma;
     }

@@ -40,7 +40,8 @@ Whitened whitened(const MapMatch& match, const Pose& pose, const DepthNoise& noi
   const Eigen::Matrix2d C = J * S * J.transpose() + match.sigma * match.sigma * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d r = x.head<2>() * iz - match.ray.head<2>();
   w.q = r.dot(C.inverse() * r);
-  if (match.z > 0) w.d = (match.z - x.z()) / std::hypot(noise.sigma(match.z), std::sqrt(S(2, 2)));
+  if (match.z > 0)
+    w.d = (match.z - x.z()) / std::hypot(match.z_share * noise.sigma(match.z), std::sqrt(S(2, 2)));
   return w;
 }
 
@@ -100,7 +101,7 @@ Refinement refine(const std::vector<MapMatch>& matches, const Pose& initial, con
       const Eigen::Vector3d X2 = point_at_depth(m.ray, m.z);
       columns.both.set3(next_both, 10, X2.x(), X2.y(), X2.z());
       set_symmetric(columns.both, next_both++, 13,
-                    point_covariance(m.ray, m.z, m.sigma, depth_scale * noise.sigma(m.z)));
+                    point_covariance(m.ray, m.z, m.sigma, depth_scale * m.z_share * noise.sigma(m.z)));
     } else {
       const double z = std::max(0.01, (initial * m.X).z());
       const Eigen::Matrix3d across =
@@ -184,6 +185,18 @@ ReadoutCorrection readout_correction(const std::vector<MapMatch>& matches, const
   if (!(information > 0)) return {};
   // What the pose and the lens leave is alike in neighbouring residuals: all count as a few.
   return {-(pull - h.dot(solver.solve(g))) / information, kFew * information / std::max(1, pose.num_inliers)};
+}
+
+double shift_between(const std::vector<MapMatch>& matches, const Pose& pose1, const Pose& pose2) {
+  double squares = 0;
+  int count = 0;
+  for (const MapMatch& match : matches) {
+    const Eigen::Vector3d x1 = pose1 * match.X, x2 = pose2 * match.X;
+    if (x1.z() <= 0 || x2.z() <= 0) continue;
+    squares += (x1.head<2>() / x1.z() - x2.head<2>() / x2.z()).squaredNorm();
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
 MapPose refine_map_pose(const std::vector<MapMatch>& matches, const Pose& initial, const DepthNoise& noise) {

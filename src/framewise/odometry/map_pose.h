@@ -20,6 +20,7 @@ struct MapMatch {
   Eigen::Vector3d ray;  // on the plane z = 1
   double sigma;         // of the ray's coordinates
   double z;             // measured depth (m); NaN where unknown
+  double z_share = 1;   // what z has of a single pixel's noise
   // d (where the point is seen - ray) / d readout, on the plane.
   Eigen::Vector2d by_readout = Eigen::Vector2d::Zero();
   double skew = 0;  // how much a shutter shifts the host's view or this one, whichever is more, likewise
@@ -56,6 +57,9 @@ struct ReadoutCorrection {
   double seconds = 0, information = 0;  // 1/s^2
 };
 ReadoutCorrection readout_correction(const std::vector<MapMatch>& matches, const MapPose& pose);
+
+// How far apart two poses see the points, root mean square (pixels / focal length).
+double shift_between(const std::vector<MapMatch>& matches, const Pose& pose1, const Pose& pose2);
 
 MapPose refine_map_pose(const std::vector<MapMatch>& matches, const Pose& initial, const DepthNoise& noise);
 

@@ -87,6 +87,24 @@ TEST(RefineMapPose, ADepthThatDisagreesLeavesItsRay) {
   EXPECT_GT(pose.num_inliers, 90);
 }
 
+TEST(ShiftBetween, IsHowFarAWallMovesInTheImage) {
+  std::vector<MapMatch> matches = matches_of(50, 7, 0, true);
+  for (MapMatch& match : matches) match.X *= 2 / match.X.z();
+  EXPECT_EQ(shift_between(matches, kTruth, kTruth), 0);
+  EXPECT_NEAR(shift_between(matches, {}, {Eigen::Matrix3d::Identity(), {0.03, 0.04, 0}}), 0.05 / 2, 1e-12);
+  EXPECT_EQ(shift_between({}, {}, kTruth), 0);
+}
+
+TEST(RefineMapPose, ASurerDepthSaysMore) {
+  auto matches = matches_of(100, 8, 1, true);
+  const double before = refine_map_pose(matches, kTruth, {}).own_covariance(5, 5);
+  for (MapMatch& match : matches) {
+    const double z = (kTruth * match.X).z();
+    match.z_share = 0.25, match.z = z + 0.25 * (match.z - z);
+  }
+  EXPECT_LT(refine_map_pose(matches, kTruth, {}).own_covariance(5, 5), before);
+}
+
 TEST(ReadoutCorrection, FindsTheReadoutThatRaysWereSeenWith) {
   auto matches = matches_of(200, 6, 0.2, true);
   const double truth = 0.015;

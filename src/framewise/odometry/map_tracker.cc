@@ -149,7 +149,7 @@ void MapTracker::place_waiting() {
 std::optional<double> MapTracker::first_length(const MapFrame& frame1, const MapFrame& frame2,
                                                const TwoViewStart& two_views) const {
   if (two_views.kind != TwoViewStart::Kind::kTriangulated) return std::nullopt;
-  if (const auto length = length_by_depth(two_views, frame2, camera_, options_.depth)) return length;
+  if (const auto length = length_by_depth(two_views, frame2, camera_, options_)) return length;
   if (is_metric_) return std::nullopt;
   if (const double length = speed_ * (frame2.time - frame1.time); length > 0) return length;
   if (options_.scale != "truth" || !known_.truth) return 1;

@@ -18,14 +18,15 @@ void add_points_with_depth(Keyframe& keyframe, const std::vector<TrackedPoint>& 
   for (int i = 0; i < static_cast<int>(frame.rays.size()); ++i) {
     const Eigen::Vector2d pixel = frame.pixel(i);
     if (!places.is_free(pixel)) continue;
-    const auto z = depth_along(frame, frame.rays[i], depth_from_cam, camera, options.depth);
-    if (!z) continue;
+    const auto plane = depth_along(frame, frame.rays[i], depth_from_cam, camera, options);
+    if (!plane) continue;
     places.take(pixel);
     const double row = row_of(camera, pixel.y());
-    const double z_middle = keyframe.shutter.depth_at_middle(frame.rays[i], row, *z);
-    const double sigma = options.depth_noise.sigma(z_middle) / (z_middle * z_middle);
+    const double z_middle = keyframe.shutter.depth_at_middle(frame.rays[i], row, plane->z);
+    const double sigma = plane->noise_share * options.depth_noise.sigma(z_middle) / (z_middle * z_middle);
     MapPoint point{
         i, keyframe.shutter.at_middle(frame.rays[i], row), 1 / z_middle, sigma * sigma, 0, 0, {}, 0, 0};
+    point.slope = plane->slope;
     point.measured = point.inverse_z;
     point.information = 1 / point.variance;
     keyframe.points.push_back(point);
@@ -53,7 +54,9 @@ void take_in_depths(LocalMap& map, const Placed& placed, const Pose& world_from_
     const PointRef& ref = placed.points[i].ref;
     const Pose host_from_cam = map.at(ref.keyframe).world_from_cam.inverse() * world_from_cam;
     const double z = (host_from_cam * (match.z * match.ray)).z();
-    if (z > 0) take_in_depth(map.point(ref), 1 / z, placed.pose.depth_scale * noise.sigma(match.z) / (z * z));
+    if (!(z > 0)) continue;
+    const double sigma = placed.pose.depth_scale * match.z_share * noise.sigma(match.z);
+    take_in_depth(map.point(ref), 1 / z, sigma / (z * z));
   }
 }
 

@@ -81,12 +81,12 @@ TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2
 }
 
 std::optional<double> length_by_depth(const TwoViewStart& two_views, const MapFrame& frame2,
-                                      const Camera& camera, const DepthLookupOptions& options) {
+                                      const Camera& camera, const OdometryOptions& options) {
   std::vector<double> lengths;
   for (std::size_t i = 0; i < two_views.points.size(); ++i) {
     const double unit_z = (two_views.cam2_from_cam1 * two_views.points[i].position()).z();
-    const auto z = depth_along(frame2, two_views.seen_by[i].ray2, {}, camera, options);
-    if (z && unit_z > 0) lengths.push_back(*z / unit_z);
+    const auto plane = depth_along(frame2, two_views.seen_by[i].ray2, {}, camera, options);
+    if (plane && unit_z > 0) lengths.push_back(plane->z / unit_z);
   }
   constexpr std::size_t kFewest = 10;  // half of which may be of other surfaces
   if (lengths.size() < kFewest) return std::nullopt;

@@ -42,7 +42,7 @@ TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2
 // The motion's length (m) by the depth image of camera 2: the median of what its points say. Empty where too
 // few have depth there.
 std::optional<double> length_by_depth(const TwoViewStart& two_views, const MapFrame& frame2,
-                                      const Camera& camera, const DepthLookupOptions& options);
+                                      const Camera& camera, const OdometryOptions& options);
 
 // A map's first points, where either keyframe has them.
 struct SeenByBoth {
