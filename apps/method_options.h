@@ -76,7 +76,9 @@ void visit_solver_options(OdometryOptions& o, Visit&& visit) {
 template <typename Visit>
 void visit_map_options(OdometryOptions& o, Visit&& visit) {
   visit("shrink", o.map.shrink, "map: poses towards the motion before, by both uncertainties");
-  visit("adjust", o.map.adjust, "map: the last keyframes and their points together");
+  visit("adjust", o.map.adjust,
+        "map: the last keyframes and their points together: always, never, or auto (with depth only while "
+        "each frame becomes a keyframe)");
   visit("fuse", o.map.fuse, "map: depth of later frames into the points");
   visit("follow-delay", o.map.follow, "map: depth to where the camera was when it was taken");
   visit("unskew", o.map.unskew, "map: a rolling shutter's rows, by a readout that is learned");

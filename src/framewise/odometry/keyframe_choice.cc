@@ -12,6 +12,13 @@ bool wants_keyframe(const KeyframeNeed& need, int image_width, const MapOptions&
   return !need.shift_px || *need.shift_px > options.keyframe_shift * image_width;
 }
 
+bool needs_adjustment(const KeyframeNeed& need, bool follows_keyframe, int image_width,
+                      const MapOptions& options) {
+  if (need.lives_on_motion || options.adjust == "always") return true;
+  const bool has_moved = need.shift_px && *need.shift_px > options.keyframe_shift * image_width;
+  return follows_keyframe && has_moved && options.adjust == "auto";
+}
+
 std::optional<double> median_shift(const std::vector<Eigen::Vector3d>& x_in_keyframe,
                                    const Pose& world_from_keyframe, const Pose& world_from_cam) {
   std::vector<double> shifts;

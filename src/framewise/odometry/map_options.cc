@@ -21,6 +21,8 @@ void MapOptions::check() const {
           "more than 0, less than 1");
   require(features >= 50 && features <= 100000, "map-features", features, "50 to 100000");
   spread_of(spread);
+  if (adjust != "always" && adjust != "never" && adjust != "auto")
+    throw std::invalid_argument("adjust: found '" + adjust + "', expected always, never or auto");
   require(keyframes >= 2 && keyframes <= 1000, "keyframes", keyframes, "2 to 1000");
   require(newest >= 1 && newest <= keyframes, "newest-keyframes", newest, "1 or more, at most keyframes");
   require(others >= 0, "other-keyframes", others, "0 or more");

@@ -10,9 +10,9 @@ namespace framewise {
 struct MapOptions {
   // Each of these can be left out, to see what it gives.
   bool shrink = true;  // poses towards the motion before, by both uncertainties (motion_filter.h)
-  // The last keyframes and their points together (window_adjustment.h): always without depth, which needs it;
-  // with depth it has not paid on the recordings measured (docs/odometer.md).
-  bool adjust = false;
+  // The last keyframes and their points together (window_adjustment.h), with depth: always, never or auto
+  // (keyframe_choice.h).
+  std::string adjust = "auto";
   bool fuse = true;             // depth of later frames into the points
   bool follow = true;           // depth to where the camera was when it was taken
   bool unskew = true;           // a rolling shutter's rows, by a readout that is learned (rolling_shutter.h)

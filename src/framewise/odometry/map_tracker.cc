@@ -180,7 +180,6 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
       motion_.update(frame->time, world_from_before_ * cam_from_before.inverse(),
                      of_placed_camera(placed.pose.covariance, cam_from_before, world_from_before_.R));
   follow_errors(placed);
-  track.step.covariance = errors_.step_covariance(world_from_before_, track.world_from_cam);
   track.step.status = Status::kOk;
   track.step.matches = placed.matched;
   track.step.inliers = placed.pose.num_inliers;
@@ -200,12 +199,17 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   if (dt > 0) speed_ = (world_from_before_.t - world_from_earlier.t).norm() / dt;
   std::vector<TrackedPoint> traced;
   if (frame->depth.empty()) traced = look_for_depth(map_, placed, *frame, world_from_before_, camera_);
-  if (wants_keyframe(need_of_keyframe(placed), camera_.width, options_.map))
-    become_keyframe(frame, track.world_from_cam, &placed, traced);
-  else if (options_.map.fuse)
+  if (const KeyframeNeed need = need_of_keyframe(placed); wants_keyframe(need, camera_.width, options_.map)) {
+    const bool follows_keyframe = trajectory_.size() == keyframe_at_ + 1;
+    const bool adjusts =
+        frame->depth.empty() || needs_adjustment(need, follows_keyframe, camera_.width, options_.map);
+    become_keyframe(frame, track.world_from_cam, &placed, traced, adjusts);
+  } else if (options_.map.fuse) {
     take_in_depths(map_, placed, world_from_before_, options_.depth_noise);
+  }
   track.world_from_cam = world_from_before_;
   track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_earlier;
+  track.step.covariance = errors_.step_covariance(world_from_earlier, track.world_from_cam);
   steady_ = motion_;
   remember(*frame, track.world_from_cam);
   return track;
@@ -304,9 +308,11 @@ Keyframe& MapTracker::add_keyframe(std::shared_ptr<const MapFrame> frame, const 
 }
 
 void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam,
-                                 const Placed* placed, const std::vector<TrackedPoint>& traced) {
+                                 const Placed* placed, const std::vector<TrackedPoint>& traced,
+                                 bool adjusts) {
   describe(*frame, camera_, options_.map);
   Keyframe& keyframe = add_keyframe(frame, world_from_cam);
+  keyframe_at_ = trajectory_.size();
   keyframe.shutter = shutter_;
   map_.set_readout(readout_.seconds(), camera_);
   std::vector<TrackedPoint> taken;
@@ -341,7 +347,7 @@ void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& wo
   const bool has_depth = !frame->depth.empty();
   frame->depth.release();  // its points have it
   if (placed && has_depth) grow();
-  if (placed && (options_.map.adjust || !has_depth)) adjust();
+  if (adjusts) adjust();
   if (!has_depth) guess_points(map_, map_.newest_id(), taken, camera_);
   points_at_keyframe_ = std::min(options_.map.points, seen + points_added);
 }
@@ -358,7 +364,6 @@ KeyframeNeed MapTracker::need_of_keyframe(const Placed& placed) const {
     need.known += map_.point(placed.points[i].ref).is_known();
     seen.push_back(newest_from_before * placed.matches[i].X);
   }
-  if (!need.lives_on_motion) return need;
   if (const auto shift = median_shift(seen, newest.world_from_cam, world_from_before_))
     need.shift_px = *shift * std::abs(camera_.fx);
   return need;
@@ -391,6 +396,7 @@ void MapTracker::adjust() {
   }
   const Pose& after = map_.newest().world_from_cam;
   motion_.correct(after * before.inverse());
+  errors_.corrected(after * before.inverse());
   world_from_before_ = after;
 }
 

@@ -60,7 +60,7 @@ class MapTracker {
   void follow_errors(const Placed& placed);
   Keyframe& add_keyframe(std::shared_ptr<const MapFrame> frame, const Pose& world_from_cam);
   void become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam, const Placed* placed,
-                       const std::vector<TrackedPoint>& traced = {});
+                       const std::vector<TrackedPoint>& traced = {}, bool adjusts = false);
   KeyframeNeed need_of_keyframe(const Placed& placed) const;
   void grow();
   void adjust();
@@ -80,6 +80,7 @@ class MapTracker {
   FrameView last_measured_;  // to relate a frame to where the map fails
   Pose world_from_measured_;
   int points_at_keyframe_ = 0;
+  std::size_t keyframe_at_ = 0;  // the newest keyframe's place in the trajectory
   ReadoutEstimate readout_;
   LensEstimate lens_;
   Shutter shutter_;  // of the newest frame

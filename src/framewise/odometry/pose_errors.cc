@@ -237,6 +237,12 @@ void PoseErrors::moved(const Pose& world_from_cam, const Matrix6d& covariance) {
   last_.is_keyframe = false;
 }
 
+void PoseErrors::corrected(const Pose& new_from_old) {
+  Vector6d moved;
+  moved << so3_log(new_from_old.R), new_from_old.t;
+  difference_ += moved * moved.transpose();
+}
+
 void PoseErrors::become_keyframe() {
   const Eigen::Index n = keyframes_.rows();
   Eigen::MatrixXd grown(n + 6, n + 6);

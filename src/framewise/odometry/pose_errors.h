@@ -47,6 +47,10 @@ class PoseErrors {
   // position (in the world's) if the last one were certain.
   void moved(const Pose& world_from_cam, const Matrix6d& covariance);
 
+  // The last camera was moved by an adjustment of the map: by so much, or less, the camera before may be off
+  // that was not.
+  void corrected(const Pose& new_from_old);
+
   // The last camera is the next keyframe.
   void become_keyframe();
   // The oldest keyframe is gone.
