@@ -31,6 +31,26 @@ TEST(WantsKeyframe, WithoutDepthWhereNothingTellsHowFarItMoved) {
   EXPECT_TRUE(wants_keyframe({100, 100, true, {}}, kWidth, {}));
 }
 
+TEST(NeedsAdjustment, WithDepthWhereEachFrameIsAKeyframeAndMoves) {
+  MapOptions options;
+  options.keyframe_shift = 0.01;
+  const KeyframeNeed moved{50, 100, false, 6.5}, turned{50, 100, false, 6.3};
+  EXPECT_TRUE(needs_adjustment(moved, true, kWidth, options));
+  EXPECT_FALSE(needs_adjustment(moved, false, kWidth, options));
+  EXPECT_FALSE(needs_adjustment(turned, true, kWidth, options));
+  EXPECT_FALSE(needs_adjustment({50, 100, false, {}}, true, kWidth, options));
+  options.adjust = "never";
+  EXPECT_FALSE(needs_adjustment(moved, true, kWidth, options));
+  options.adjust = "always";
+  EXPECT_TRUE(needs_adjustment(turned, false, kWidth, options));
+}
+
+TEST(NeedsAdjustment, AlwaysWhereNoDepthTellsHowFarThingsAre) {
+  MapOptions options;
+  options.adjust = "never";
+  EXPECT_TRUE(needs_adjustment({50, 100, true, {}}, false, kWidth, options));
+}
+
 const std::vector<Eigen::Vector3d> kPoints = {{0.5, 0.2, 2}, {-0.3, 0.1, 2}, {0.1, -0.4, 2}};
 
 TEST(MedianShift, IsThatOfMotionOverDepth) {

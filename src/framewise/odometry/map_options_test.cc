@@ -39,5 +39,13 @@ TEST(MapOptions, WhatMakesNoSenseIsNamedWithWhatWasFound) {
   }
 }
 
+TEST(MapOptions, AdjustmentHasThreeNames) {
+  MapOptions options;
+  for (const char* name : {"auto", "always", "never"})
+    EXPECT_NO_THROW((options.adjust = name, options.check()));
+  options.adjust = "true";
+  EXPECT_THROW(options.check(), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace framewise

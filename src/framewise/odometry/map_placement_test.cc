@@ -28,7 +28,8 @@ class MapOfBoxes : public testing::Test {
   }
   std::optional<Placed> placed(const Frame& seen, const Pose& predicted, const Pose& before = {}) const {
     MapFrame frame = look_at(seen, 1);
-    return place(frame, predicted, view(before));
+    std::optional<Placed> unsure;
+    return place(frame, predicted, view(before), unsure);
   }
 
   const Boxes boxes;

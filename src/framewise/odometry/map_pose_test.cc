@@ -97,12 +97,12 @@ TEST(ShiftBetween, IsHowFarAWallMovesInTheImage) {
 
 TEST(RefineMapPose, ASurerDepthSaysMore) {
   auto matches = matches_of(100, 8, 1, true);
-  const double before = refine_map_pose(matches, kTruth, {}).own_covariance(5, 5);
+  const double before = refine_map_pose(matches, kTruth, {}).covariance(5, 5);
   for (MapMatch& match : matches) {
     const double z = (kTruth * match.X).z();
     match.z_share = 0.25, match.z = z + 0.25 * (match.z - z);
   }
-  EXPECT_LT(refine_map_pose(matches, kTruth, {}).own_covariance(5, 5), before);
+  EXPECT_LT(refine_map_pose(matches, kTruth, {}).covariance(5, 5), before);
 }
 
 TEST(ReadoutCorrection, FindsTheReadoutThatRaysWereSeenWith) {
