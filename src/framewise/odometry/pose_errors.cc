@@ -5,7 +5,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -21,64 +20,12 @@ bool before(const PointRef& a, const PointRef& b) {
   return std::tie(a.keyframe, a.point) < std::tie(b.keyframe, b.point);
 }
 
-// d (ray, depth) / d x_in_cam; no depth: a row of zeros.
-Eigen::Matrix3d measured_by_position(const PlacedBy& point) {
-  const Eigen::Vector3d& x = point.x_in_cam;
-  const double iz = 1 / x.z();
-  Eigen::Matrix3d M;
-  M << iz, 0, -x.x() * iz * iz, 0, iz, -x.y() * iz * iz, 0, 0, point.z_sigma > 0 ? 1 : 0;
-  return M;
-}
-
 // Of measurements of which the third may be missing.
 Eigen::Matrix3d information(const Eigen::Matrix3d& covariance, bool has_depth) {
   if (has_depth) return covariance.inverse();
   Eigen::Matrix3d W = Eigen::Matrix3d::Zero();
   W.topLeftCorner<2, 2>() = covariance.topLeftCorner<2, 2>().inverse();
   return W;
-}
-
-// How many times larger the variances of sums over neighbouring residuals are than if they were independent.
-struct Likeness {
-  double ray, z;
-};
-Likeness likeness_of_neighbours(const std::vector<PlacedBy>& points) {
-  constexpr int kCells = 16;
-  constexpr double kCell = 0.125;  // of the plane z = 1: a view of 90 degrees is 16 across
-  std::array<Eigen::Vector3d, kCells * kCells> sums;
-  sums.fill(Eigen::Vector3d::Zero());
-  Eigen::Array3d squares = Eigen::Array3d::Zero(), of_sums = Eigen::Array3d::Zero();
-  for (const PlacedBy& point : points) {
-    const auto cell = [&](double x) {
-      return std::clamp(static_cast<int>(std::floor(x / kCell)) + kCells / 2, 0, kCells - 1);
-    };
-    const Eigen::Vector3d& x = point.x_in_cam;
-    Eigen::Vector3d r;
-    r << point.ray_residual / point.ray_sigma,
-        point.z_sigma > 0 ? point.z_residual / std::hypot(point.z_sigma, std::sqrt(point.S(2, 2))) : 0;
-    sums[cell(x.x() / x.z()) * kCells + cell(x.y() / x.z())] += r;
-    squares += r.array().square();
-  }
-  for (const Eigen::Vector3d& sum : sums) of_sums += sum.array().square();
-  const double rays = squares.x() + squares.y();
-  return {rays > 0 ? std::max(1.0, (of_sums.x() + of_sums.y()) / rays) : 1,
-          squares.z() > 0 ? std::max(1.0, of_sums.z() / squares.z()) : 1};
-}
-
-// Mean squares of residuals over what they are said to be: robust scales do not see their tails.
-std::pair<double, double> tails(const std::vector<PlacedBy>& points) {
-  double ray = 0, z = 0, zs = 0;
-  for (const PlacedBy& point : points) {
-    const Eigen::Matrix3d M = measured_by_position(point);
-    const Eigen::Matrix3d S = M * point.S * M.transpose();
-    const Eigen::Matrix2d C =
-        S.topLeftCorner<2, 2>() + point.ray_sigma * point.ray_sigma * Eigen::Matrix2d::Identity();
-    ray += point.ray_residual.dot(C.inverse() * point.ray_residual) / 2;
-    if (!(point.z_sigma > 0)) continue;
-    z += point.z_residual * point.z_residual / (point.z_sigma * point.z_sigma + S(2, 2));
-    ++zs;
-  }
-  return {points.empty() ? 1 : ray / static_cast<double>(points.size()), zs > 0 ? z / zs : 1};
 }
 
 // Of what is a covariance but for rounding and for what is left out to first order.
@@ -99,7 +46,7 @@ void PoseErrors::start(int first_id, int count) {
   last_.with_keyframes.setZero(6, 6 * count);
 }
 
-PoseErrors::Changes PoseErrors::changes_since_last(const std::vector<PlacedBy>& points) const {
+ResidualChanges PoseErrors::changes_since_last(const std::vector<PlacedBy>& points) const {
   constexpr double kEnough = 20;
   double ray = 0, rays = 0, z = 0, zs = 0;
   auto earlier = last_.gains.begin();
@@ -114,15 +61,15 @@ PoseErrors::Changes PoseErrors::changes_since_last(const std::vector<PlacedBy>& 
     z += std::pow((point.z_residual - earlier->residual.z()) / point.z_sigma, 2) / 2;
     ++zs;
   }
-  Changes changes;
+  ResidualChanges changes;
   if (rays >= kEnough) changes.ray = ray / rays;
   if (zs >= kEnough) changes.z = z / zs;
   return changes;
 }
 
 void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>& points) {
-  const Changes changes = changes_since_last(points);
-  const auto [ray_tails, z_tails] = tails(points);
+  const ResidualChanges changes = changes_since_last(points);
+  const auto [ray_tails, z_tails] = residual_tails(points);
   const Likeness alike = likeness_of_neighbours(points);
   const Eigen::Matrix3d cam_from_world = world_from_cam.R.transpose();
   const auto count = static_cast<int>(keyframes_.rows() / 6);
@@ -130,7 +77,6 @@ void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>&
   Matrix6d H = Matrix6d::Zero(), noise = Matrix6d::Zero(), repeated = Matrix6d::Zero();
   std::vector<Matrix6d> by_host(count, Matrix6d::Zero());
   std::vector<Gain> gains;
-  std::vector<Eigen::Matrix3d> new_noise;
   for (const PlacedBy& point : points) {
     const Eigen::Matrix3d M = measured_by_position(point);
     const Eigen::Vector3d x_in_world = world_from_cam * point.x_in_cam;
@@ -141,7 +87,8 @@ void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>&
     const Eigen::Matrix3d S = M * point.S * M.transpose();
     const Matrix63 JtW = J.transpose() * information(shown + S, z > 0);
     H += JtW * J;
-    if (point.ref.keyframe >= first_id_) by_host[point.ref.keyframe - first_id_] += JtW * J;
+    const int host = point.ref.keyframe - first_id_;
+    if (host >= 0 && host < count) by_host[host] += JtW * J;
     const double new_ray = std::min(changes.ray, ray_tails), new_z = std::min(changes.z, z_tails);
     const Eigen::Vector3d likeness(alike.ray, alike.ray, alike.z);
     const Eigen::Vector3d anew(new_ray * ray, new_ray * ray, new_z * z);

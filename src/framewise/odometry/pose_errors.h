@@ -8,19 +8,9 @@
 #include "framewise/geometry/pose.h"
 #include "framewise/odometry/local_map.h"
 #include "framewise/odometry/motion_filter.h"
+#include "framewise/odometry/residual_noise.h"
 
 namespace framewise {
-
-// A point of the map that a camera was placed by.
-struct PlacedBy {
-  PointRef ref;
-  Eigen::Vector3d x_in_cam;      // where the map has it (m)
-  Eigen::Matrix3d S;             // its covariance there, its host's pose apart (m^2)
-  Eigen::Vector2d ray_residual;  // on the plane z = 1: where the map has it - where it is seen
-  double ray_sigma;              // of that, as the residuals show it
-  double z_residual = 0;         // likewise of its depth (m)
-  double z_sigma = 0;            // 0: its depth counted for nothing
-};
 
 // How far the last camera and the keyframes may be off, jointly, to first order. A camera is placed by
 // points: it has a share in the errors of their hosts, in the points' own errors, which the next camera that
@@ -73,10 +63,7 @@ class PoseErrors {
     std::vector<Gain> gains;  // by ref, rising
     bool is_keyframe = false;
   };
-  struct Changes {
-    double ray = 1, z = 1;  // share of the residuals' variance that is new in each frame
-  };
-  Changes changes_since_last(const std::vector<PlacedBy>& points) const;
+  ResidualChanges changes_since_last(const std::vector<PlacedBy>& points) const;
 
   int first_id_ = 0;           // of the keyframes
   Eigen::MatrixXd keyframes_;  // joint covariance, six rows each
