@@ -64,11 +64,8 @@ std::optional<MapPose> pose_from_pair(FrameView& first, FrameView& second, const
   const auto found = first_pose(matches, prior, first_options);
   if (!found) return std::nullopt;
   std::vector<MapMatch> agreeing;
-  for (const MapMatch& match : matches) {
-    const Eigen::Vector3d x = found->cam_from_reference * match.X;
-    if (x.z() > 0 && (x.head<2>() / x.z() - match.ray.head<2>()).norm() < first_options.max_error)
-      agreeing.push_back(match);
-  }
+  for (const MapMatch& match : matches)
+    if (agrees(match, found->cam_from_reference, first_options.max_error)) agreeing.push_back(match);
   MapPose pose = refine_map_pose(agreeing, found->cam_from_reference, options.odometry.depth_noise);
   const bool holds = pose.num_inliers >= options.min_inliers && pose.covariance.allFinite();
   return holds ? std::optional(std::move(pose)) : std::nullopt;

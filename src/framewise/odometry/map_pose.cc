@@ -17,10 +17,7 @@ namespace {
 
 int count_inliers(const std::vector<MapMatch>& matches, const Pose& pose, double max_error) {
   int count = 0;
-  for (const MapMatch& match : matches) {
-    const Eigen::Vector3d x = pose * match.X;
-    count += x.z() > 0 && (x.head<2>() / x.z() - match.ray.head<2>()).norm() < max_error;
-  }
+  for (const MapMatch& match : matches) count += agrees(match, pose, max_error);
   return count;
 }
 
@@ -130,6 +127,11 @@ Matrix6d covariance_at(const std::vector<MapMatch>& matches, const MapPose& pose
 }
 
 }  // namespace
+
+bool agrees(const MapMatch& match, const Pose& cam_from_reference, double max_error) {
+  const Eigen::Vector3d x = cam_from_reference * match.X;
+  return x.z() > 0 && (x.head<2>() / x.z() - match.ray.head<2>()).norm() < max_error;
+}
 
 std::optional<FirstPose> first_pose(const std::vector<MapMatch>& matches, const Pose& prior,
                                     const FirstPoseOptions& options) {

@@ -26,6 +26,10 @@ struct MapMatch {
   double skew = 0;  // how much a shutter shifts the host's view or this one, whichever is more, likewise
 };
 
+// Whether a pose has the point before the camera and within max_error of where it is seen (pixels / focal
+// length).
+bool agrees(const MapMatch& match, const Pose& cam_from_reference, double max_error);
+
 struct FirstPoseOptions {
   double max_error = 4.0 / 525;  // reprojection error of a match that agrees (pixels / focal length)
   int min_inliers = 15;          // fewer agree by chance

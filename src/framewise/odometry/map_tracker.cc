@@ -160,10 +160,8 @@ std::optional<double> MapTracker::first_length(const MapFrame& frame1, const Map
 
 void MapTracker::build_from_two_views(std::shared_ptr<MapFrame> frame, const TwoViewStart& two_views,
                                       double length) {
-  errors_.become_keyframe();
-  const int oldest = map_.first_id();
   const SeenByBoth seen = add_two_views(map_, std::move(frame), two_views, length, camera_, options_.map);
-  if (map_.first_id() > oldest) errors_.forget_oldest();
+  errors_.become_keyframe(map_.first_id());
   const int viewer = map_.newest_id(), host = viewer - 1;
   has_points_ = true;
   points_at_keyframe_ = std::min(options_.map.points, static_cast<int>(map_.at(host).points.size()));
@@ -190,8 +188,7 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   const Pose world_from_earlier = world_from_earlier_ = world_from_before_;
   const double dt = frame->time - time_before_;
   const auto correction = readout_correction(placed.matches, placed.pose);
-  if (options_.map.unskew)
-    readout_.add(correction.seconds, correction.information, frame->time - time_before_);
+  if (options_.map.unskew) readout_.add(correction.seconds, correction.information, dt);
   shutter_ = placed.shutter;
   if (trajectory_.size() == 1) map_.at(0).shutter = shutter_;  // as the first frame turned, most likely
   world_from_before_ = track.world_from_cam;
@@ -299,19 +296,12 @@ void MapTracker::go_on_as_meanwhile() {
   time_measured_ = time_before_;
 }
 
-Keyframe& MapTracker::add_keyframe(std::shared_ptr<const MapFrame> frame, const Pose& world_from_cam) {
-  const int oldest = map_.first_id();
-  errors_.become_keyframe();
-  Keyframe& keyframe = map_.add(std::move(frame), world_from_cam);
-  if (map_.first_id() > oldest) errors_.forget_oldest();
-  return keyframe;
-}
-
 void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam,
                                  const Placed* placed, const std::vector<TrackedPoint>& traced,
                                  bool adjusts) {
   describe(*frame, camera_, options_.map);
-  Keyframe& keyframe = add_keyframe(frame, world_from_cam);
+  Keyframe& keyframe = map_.add(frame, world_from_cam);
+  errors_.become_keyframe(map_.first_id());
   keyframe_at_ = trajectory_.size();
   keyframe.shutter = shutter_;
   map_.set_readout(readout_.seconds(), camera_);

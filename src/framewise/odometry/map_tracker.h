@@ -58,7 +58,6 @@ class MapTracker {
   MapView view() const;
   std::optional<Placed> find(const std::shared_ptr<MapFrame>& frame, FrameView& frame_view);
   void follow_errors(const Placed& placed);
-  Keyframe& add_keyframe(std::shared_ptr<const MapFrame> frame, const Pose& world_from_cam);
   void become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam, const Placed* placed,
                        const std::vector<TrackedPoint>& traced = {}, bool adjusts = false);
   KeyframeNeed need_of_keyframe(const Placed& placed) const;

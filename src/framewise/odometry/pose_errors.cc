@@ -28,14 +28,23 @@ Eigen::Matrix3d information(const Eigen::Matrix3d& covariance, bool has_depth) {
   return W;
 }
 
+Matrix6d symmetric(const Matrix6d& A) { return 0.5 * (A + A.transpose()); }
+
 // Of what is a covariance but for rounding and for what is left out to first order.
 Matrix6d positive_part(const Matrix6d& A) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(0.5 * (A + A.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(symmetric(A));
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
          eigen.eigenvectors().transpose();
 }
 
-Matrix6d symmetric(const Matrix6d& A) { return 0.5 * (A + A.transpose()); }
+// d xi / d (rotation in the camera's axes, position in the world's).
+Matrix6d xi_by_camera(const Pose& world_from_cam) {
+  Matrix6d J = Matrix6d::Zero();
+  J.topLeftCorner<3, 3>() = world_from_cam.R;
+  J.bottomLeftCorner<3, 3>() = skew(world_from_cam.t) * world_from_cam.R;
+  J.bottomRightCorner<3, 3>().setIdentity();
+  return J;
+}
 
 }  // namespace
 
@@ -46,19 +55,29 @@ void PoseErrors::start(int first_id, int count) {
   last_.with_keyframes.setZero(6, 6 * count);
 }
 
-ResidualChanges PoseErrors::changes_since_last(const std::vector<PlacedBy>& points) const {
+std::vector<const PoseErrors::Gain*> PoseErrors::gains_before(const std::vector<PlacedBy>& points) const {
+  std::vector<const Gain*> gains;
+  auto gain = last_.gains.begin();
+  for (const PlacedBy& point : points) {
+    while (gain != last_.gains.end() && before(gain->ref, point.ref)) ++gain;
+    const bool is_shared = gain != last_.gains.end() && !before(point.ref, gain->ref);
+    gains.push_back(is_shared ? &*gain : nullptr);
+  }
+  return gains;
+}
+
+ResidualChanges PoseErrors::changes_since_last(const std::vector<PlacedBy>& points,
+                                               const std::vector<const Gain*>& earlier) {
   constexpr double kEnough = 20;
   double ray = 0, rays = 0, z = 0, zs = 0;
-  auto earlier = last_.gains.begin();
-  for (const PlacedBy& point : points) {
-    while (earlier != last_.gains.end() && before(earlier->ref, point.ref)) ++earlier;
-    if (earlier == last_.gains.end()) break;
-    if (before(point.ref, earlier->ref)) continue;
-    ray += (point.ray_residual - earlier->residual.head<2>()).squaredNorm() /
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PlacedBy& point = points[i];
+    if (!earlier[i]) continue;
+    ray += (point.ray_residual - earlier[i]->residual.head<2>()).squaredNorm() /
            (4 * point.ray_sigma * point.ray_sigma);
     ++rays;
-    if (!(point.z_sigma > 0) || !earlier->by_error.col(2).any()) continue;
-    z += std::pow((point.z_residual - earlier->residual.z()) / point.z_sigma, 2) / 2;
+    if (!(point.z_sigma > 0) || !earlier[i]->by_error.col(2).any()) continue;
+    z += std::pow((point.z_residual - earlier[i]->residual.z()) / point.z_sigma, 2) / 2;
     ++zs;
   }
   ResidualChanges changes;
@@ -68,7 +87,8 @@ ResidualChanges PoseErrors::changes_since_last(const std::vector<PlacedBy>& poin
 }
 
 void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>& points) {
-  const ResidualChanges changes = changes_since_last(points);
+  const std::vector<const Gain*> earlier = gains_before(points);
+  const ResidualChanges changes = changes_since_last(points, earlier);
   const auto [ray_tails, z_tails] = residual_tails(points);
   const Likeness alike = likeness_of_neighbours(points);
   const Eigen::Matrix3d cam_from_world = world_from_cam.R.transpose();
@@ -120,14 +140,12 @@ void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>&
     now.covariance += now.with_keyframes.middleCols(6 * i, 6) * by_host[i].transpose();
 
   Matrix6d by_points = Matrix6d::Zero();  // what both cameras have of the same points' errors
-  auto earlier = last_.gains.begin();
-  for (Gain& gain : gains) {
-    gain.by_error = inverse * gain.by_error;
-    while (earlier != last_.gains.end() && before(earlier->ref, gain.ref)) ++earlier;
-    if (earlier == last_.gains.end() || before(gain.ref, earlier->ref)) continue;
+  for (std::size_t i = 0; i < gains.size(); ++i) {
+    gains[i].by_error = inverse * gains[i].by_error;
+    if (!earlier[i]) continue;
     const Eigen::Matrix3d& both =
-        gain.repeated.trace() < earlier->repeated.trace() ? gain.repeated : earlier->repeated;
-    by_points += gain.by_error * both * earlier->by_error.transpose();
+        gains[i].repeated.trace() < earlier[i]->repeated.trace() ? gains[i].repeated : earlier[i]->repeated;
+    by_points += gains[i].by_error * both * earlier[i]->by_error.transpose();
   }
   if (last_.is_keyframe) {
     const Matrix6d share = by_host[count - 1] * by_points.transpose();
@@ -147,12 +165,10 @@ void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>&
 // xi = A xi_placed + (1 - A) xi_earlier + lag.
 void PoseErrors::drawn_to_prior(const Pose& world_from_cam, const PriorDraw& draw) {
   if (last_.gains.empty() || (draw.rotation >= 1 && draw.position >= 1)) return;
-  // (rotation in the camera's axes, position) from xi, and back.
-  Matrix6d from_xi = Matrix6d::Identity(), to_xi = Matrix6d::Identity();
+  const Matrix6d to_xi = xi_by_camera(world_from_cam);
+  Matrix6d from_xi = Matrix6d::Identity();
   from_xi.topLeftCorner<3, 3>() = world_from_cam.R.transpose();
   from_xi.bottomLeftCorner<3, 3>() = -skew(world_from_cam.t);
-  to_xi.topLeftCorner<3, 3>() = world_from_cam.R;
-  to_xi.bottomLeftCorner<3, 3>() = skew(world_from_cam.t) * world_from_cam.R;
   const Matrix6d placed = from_xi * difference_ * from_xi.transpose();
   Vector6d taken, lag;
   const auto left_of = [](double alpha, double innovation, double noise) {
@@ -174,10 +190,7 @@ void PoseErrors::drawn_to_prior(const Pose& world_from_cam, const PriorDraw& dra
 }
 
 void PoseErrors::moved(const Pose& world_from_cam, const Matrix6d& covariance) {
-  Matrix6d J = Matrix6d::Zero();
-  J.topLeftCorner<3, 3>() = world_from_cam.R;
-  J.bottomLeftCorner<3, 3>() = skew(world_from_cam.t) * world_from_cam.R;
-  J.bottomRightCorner<3, 3>().setIdentity();
+  const Matrix6d J = xi_by_camera(world_from_cam);
   difference_ = symmetric(J * covariance * J.transpose());
   last_.covariance += difference_;
   last_.gains.clear();
@@ -190,7 +203,7 @@ void PoseErrors::corrected(const Pose& new_from_old) {
   difference_ += moved * moved.transpose();
 }
 
-void PoseErrors::become_keyframe() {
+void PoseErrors::become_keyframe(int first_id) {
   const Eigen::Index n = keyframes_.rows();
   Eigen::MatrixXd grown(n + 6, n + 6);
   grown.topLeftCorner(n, n) = keyframes_;
@@ -201,13 +214,11 @@ void PoseErrors::become_keyframe() {
   last_.with_keyframes.conservativeResize(6, n + 6);
   last_.with_keyframes.rightCols<6>() = last_.covariance;
   last_.is_keyframe = true;
-}
-
-void PoseErrors::forget_oldest() {
-  const Eigen::Index n = keyframes_.rows() - 6;
-  keyframes_ = Eigen::MatrixXd(keyframes_.bottomRightCorner(n, n));
-  last_.with_keyframes = Eigen::Matrix<double, 6, Eigen::Dynamic>(last_.with_keyframes.rightCols(n));
-  ++first_id_;
+  if (first_id == first_id_) return;
+  const Eigen::Index kept = keyframes_.rows() - 6 * (first_id - first_id_);
+  keyframes_ = Eigen::MatrixXd(keyframes_.bottomRightCorner(kept, kept));
+  last_.with_keyframes = Eigen::Matrix<double, 6, Eigen::Dynamic>(last_.with_keyframes.rightCols(kept));
+  first_id_ = first_id;
 }
 
 // world_from_cam2^-1 exp(xi1 - xi2) world_from_cam1 = cam2_from_cam1 exp(Ad(cam1_from_world) (xi1 - xi2)).

@@ -41,10 +41,8 @@ class PoseErrors {
   // that was not.
   void corrected(const Pose& new_from_old);
 
-  // The last camera is the next keyframe.
-  void become_keyframe();
-  // The oldest keyframe is gone.
-  void forget_oldest();
+  // The last camera is the next keyframe; those of ids below first_id are gone.
+  void become_keyframe(int first_id);
 
   // Of the step between the last two cameras: of cam2_from_cam1's tangent as PoseEstimate has it.
   Matrix6d step_covariance(const Pose& world_from_cam1, const Pose& world_from_cam2) const;
@@ -63,7 +61,10 @@ class PoseErrors {
     std::vector<Gain> gains;  // by ref, rising
     bool is_keyframe = false;
   };
-  ResidualChanges changes_since_last(const std::vector<PlacedBy>& points) const;
+  // The last camera's gain of each point; null where it was not placed by it.
+  std::vector<const Gain*> gains_before(const std::vector<PlacedBy>& points) const;
+  static ResidualChanges changes_since_last(const std::vector<PlacedBy>& points,
+                                            const std::vector<const Gain*>& earlier);
 
   int first_id_ = 0;           // of the keyframes
   Eigen::MatrixXd keyframes_;  // joint covariance, six rows each

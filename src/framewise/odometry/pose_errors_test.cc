@@ -82,7 +82,7 @@ double mean_nees(bool becomes_keyframe) {
     const Pose world_from_first = first.pose.cam_from_reference.inverse();
     errors.placed(world_from_first, placed_by(first, {}));
     if (becomes_keyframe) {
-      errors.become_keyframe();
+      errors.become_keyframe(0);
       hosts.push_back(world_from_first);
       for (const MappedPoint& point : points_of(1, kFirst, 80, random)) points.push_back(point);
     }
@@ -137,7 +137,7 @@ TEST(PoseErrors, AnErrorOfTheKeyframeIsNotInTheStepsOfThoseThatItPlaces) {
   for (const bool is_off : {false, true}) {
     PoseErrors errors;
     errors.start(0, 1);
-    if (is_off) errors.moved({}, Matrix6d::Identity()), errors.become_keyframe();
+    if (is_off) errors.moved({}, Matrix6d::Identity()), errors.become_keyframe(0);
     std::vector<PlacedBy> points = residuals(false, random);
     for (PlacedBy& point : points) point.ref.keyframe = is_off;
     errors.placed({}, points);
@@ -188,8 +188,7 @@ TEST(PoseErrors, OldKeyframesAreForgotten) {
     std::vector<PlacedBy> points = residuals(true, random);
     for (PlacedBy& point : points) point.ref.keyframe = i;
     errors.placed({}, points);
-    errors.become_keyframe();
-    errors.forget_oldest();
+    errors.become_keyframe(i + 1);
     EXPECT_TRUE(errors.step_covariance({}, {}).allFinite());
   }
 }
