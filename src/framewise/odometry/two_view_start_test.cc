@@ -51,16 +51,18 @@ TEST(StartFromTwoViews, NothingInCommonAndNothingAtAllAreUnrelated) {
   EXPECT_EQ(start_from_two_views({}, {}, Boxes::camera(), {}).kind, TwoViewStart::Kind::kUnrelated);
 }
 
+const OdometryOptions kOptions;
+
 TEST(LengthByDepth, IsThatOfTheMotionWhereDepthTellsIt) {
   const Pose world_from_cam2{so3_exp({0, -0.03, 0}), {0.15, 0.02, 0.03}};
   MapFrame second = described(world_from_cam2);
   const auto found = start_from_two_views(described({}), second, Boxes::camera(), {});
   ASSERT_EQ(found.kind, TwoViewStart::Kind::kTriangulated);
-  const auto length = length_by_depth(found, second, Boxes::camera(), {});
+  const auto length = length_by_depth(found, second, Boxes::camera(), kOptions);
   ASSERT_TRUE(length);
   EXPECT_NEAR(*length, world_from_cam2.t.norm(), 0.05 * world_from_cam2.t.norm());
   second.depth.release();
-  EXPECT_FALSE(length_by_depth(found, second, Boxes::camera(), {}));
+  EXPECT_FALSE(length_by_depth(found, second, Boxes::camera(), kOptions));
 }
 
 TEST(AddTwoViews, TheMapHasTheLengthThatWasAskedFor) {
