@@ -7,12 +7,15 @@
 #include <limits>
 
 #include "framewise/geometry/so3.h"
+#include "framewise/odometry/view_pair.h"
 
 namespace framewise {
 namespace {
 
 // Shares of the patches: what is found by chance, and what will do where features vouch for the pose.
 constexpr double kMoreThanChance = 0.33, kFewWillDo = 0.05;
+// How many levels above their own patches are looked for from afar, and how many patches.
+constexpr int kFar = 3, kFew = 150;
 
 MapMatch match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, double sigma_px,
                   const Shutter& shutter, const MapView& view) {
@@ -152,7 +155,6 @@ std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapVie
   const MapOptions& options = view.options.map;
   const auto keyframes = keyframes_in_view(view.map, predicted, view.camera, options.newest, options.others);
   const Pose predicted_from_before = predicted.inverse() * view.world_from_before;
-  constexpr int kFar = 3, kFew = 150;
   Placed placed = place_near(frame, predicted_from_before, keyframes, kFar, kFew, view);
   if (is_credible(placed, options))
     placed = look_nearby(frame, placed.pose.cam_from_reference, keyframes, view);
@@ -173,11 +175,24 @@ std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapVie
 std::optional<Placed> place_by_pair(const MapFrame& frame, FrameView& frame_view, FrameView& earlier,
                                     const Pose& world_from_earlier, const Pose& predicted,
                                     const MapView& view) {
+  const MapOptions& map_options = view.options.map;
+  const auto in_view = [&](const Pose& world_from_cam) {
+    return keyframes_in_view(view.map, world_from_cam, view.camera, map_options.newest, map_options.others);
+  };
   FramePairOptions options;
   options.odometry = view.options;
   options.odometry.ransac.seed = view.options.seed + 0xd1b54a32d192ed03ull * (frame.index + 1);
-  const auto pair =
-      pose_from_pair(earlier, frame_view, predicted.inverse() * world_from_earlier, view.camera, options);
+  const Pose prior = predicted.inverse() * world_from_earlier;
+  std::optional<MapPose> pair;
+  bool is_guess = false;
+  if (!earlier.frame().depth.empty()) {
+    pair = pose_from_pair(earlier, frame_view, prior, view.camera, options);
+  } else {
+    const auto known =
+        known_depths(view.map, in_view(world_from_earlier), world_from_earlier, view.camera);
+    if (auto found = pose_from_views(earlier, frame_view, prior, known, view.camera, options.odometry.ransac))
+      pair = std::move(found->pose), is_guess = found->is_guess;
+  }
   if (!pair) return std::nullopt;
   Placed placed;
   placed.pose = *pair;
@@ -186,11 +201,15 @@ std::optional<Placed> place_by_pair(const MapFrame& frame, FrameView& frame_view
   placed.pose.inliers.clear();
   placed.shutter = shutter_of(placed.pose.cam_from_reference, frame.time, view);
   placed.matched = static_cast<int>(pair->inliers.size());
-  const auto keyframes =
-      keyframes_in_view(view.map, view.world_from_before * placed.pose.cam_from_reference.inverse(),
-                        view.camera, view.options.map.newest, view.options.map.others);
-  const Placed refined = look_nearby(frame, placed.pose.cam_from_reference, keyframes, view, kFewWillDo);
-  return is_credible(refined, view.options.map, kFewWillDo) ? refined : placed;
+  const auto keyframes = in_view(view.world_from_before * placed.pose.cam_from_reference.inverse());
+  Pose from = placed.pose.cam_from_reference;
+  if (is_guess) {
+    const Placed far = place_near(frame, from, keyframes, kFar, kFew, view);
+    if (is_credible(far, map_options)) from = far.pose.cam_from_reference;
+  }
+  const Placed refined = look_nearby(frame, from, keyframes, view, kFewWillDo);
+  if (is_credible(refined, map_options, kFewWillDo)) return refined;
+  return is_guess ? std::nullopt : std::optional(placed);
 }
 
 std::vector<PlacedBy> placed_by(const Placed& placed, const DepthNoise& noise) {

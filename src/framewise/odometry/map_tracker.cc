@@ -160,10 +160,12 @@ std::optional<double> MapTracker::first_length(const MapFrame& frame1, const Map
 
 void MapTracker::build_from_two_views(std::shared_ptr<MapFrame> frame, const TwoViewStart& two_views,
                                       double length) {
+  last_measured_ = FrameView(*frame);
   const SeenByBoth seen = add_two_views(map_, std::move(frame), two_views, length, camera_, options_.map);
   errors_.become_keyframe(map_.first_id());
   const int viewer = map_.newest_id(), host = viewer - 1;
   has_points_ = true;
+  world_from_measured_ = map_.newest().world_from_cam;
   points_at_keyframe_ = std::min(options_.map.points, static_cast<int>(map_.at(host).points.size()));
   world_from_before_ = map_.newest().world_from_cam;
   adjust();

@@ -13,9 +13,6 @@
 namespace framewise {
 namespace {
 
-// The share of an image's width that a feature may move between the first two views.
-constexpr double kFarthest = 0.25;
-
 std::vector<int> all_features(const MapFrame& frame) {
   std::vector<int> all(frame.rays.size());
   std::iota(all.begin(), all.end(), 0);
@@ -42,7 +39,7 @@ TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2
   std::vector<cv::Point2f> unmoved;
   for (const cv::KeyPoint& keypoint : frame1.features.keypoints) unmoved.push_back(keypoint.pt);
   const auto pairs = pair_features(frame1, all_features(frame1), unmoved, frame2, all_features(frame2),
-                                   camera, kFarthest * camera.width);
+                                   camera, options.farthest * camera.width);
   start.pairs = static_cast<int>(pairs.size());
   if (start.pairs < options.min_pairs) return start;
   std::vector<Eigen::Vector3d> x1, x2;
@@ -58,6 +55,8 @@ TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2
   const auto estimate = estimate_relative_pose(x1, x2, relative);
   if (!estimate) return start;
   start.cam2_from_cam1 = estimate->cam2_from_cam1;
+  start.support = estimate->kind;
+  start.covariance = estimate->covariance;
   start.inliers = static_cast<int>(estimate->num_inliers);
   start.iterations = estimate->iterations;
   start.kind = TwoViewStart::Kind::kTurned;

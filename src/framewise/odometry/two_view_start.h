@@ -17,6 +17,7 @@ struct TwoViewOptions {
   // Median angle between the rays of a point (deg): a smaller one tells the camera's turn from its motion too
   // badly to build on.
   double min_parallax_deg = 0.4;
+  double farthest = 0.25;  // that a feature may move from one to the other, of an image's width
   RansacOptions ransac;
 };
 
@@ -28,7 +29,9 @@ struct TwoViewStart {
     kTriangulated  // the motion is known up to its length, which is 1, and points in camera 1
   };
   Kind kind = Kind::kUnrelated;
+  EstimateKind support = EstimateKind::kFull;  // of the motion, where they are not unrelated
   Pose cam2_from_cam1;
+  Matrix6d covariance = Matrix6d::Zero();  // of the tangent (rotation, translation), as Estimate has it
   int pairs = 0, inliers = 0, iterations = 0;
   std::vector<MapPoint> points;      // hosted by camera 1,
   std::vector<FeaturePair> seen_by;  // and where camera 2 has each

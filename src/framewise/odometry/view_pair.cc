@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/odometry/view_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio> //PROBE
+
+namespace framewise {
+namespace {
+
+constexpr double kNearPx = 3;          // a feature and a point that are the same corner
+constexpr double kMostUncertain = 0.2;  // of depths that are worth asking
+constexpr int kFewest = 10;     // as of length_by_depth
+
+const KnownDepth* nearest_to(const Eigen::Vector2d& pixel, const std::vector<KnownDepth>& known) {
+  const KnownDepth* nearest = nullptr;
+  double least = kNearPx * kNearPx;
+  for (const KnownDepth& depth : known)
+    if (const double d2 = (depth.pixel - pixel).squaredNorm(); d2 < least) nearest = &depth, least = d2;
+  return nearest;
+}
+
+// A length as one point has it, and what that is worth.
+struct Vote {
+  double log_length, weight;
+};
+
+double weighted_median(std::vector<Vote>& votes) {
+  std::sort(votes.begin(), votes.end(),
+            [](const Vote& a, const Vote& b) { return a.log_length < b.log_length; });
+  double half = 0;
+  for (const Vote& vote : votes) half += vote.weight / 2;
+  for (const Vote& vote : votes)
+    if ((half -= vote.weight) <= 0) return vote.log_length;
+  return votes.back().log_length;
+}
+
+double median_z(std::vector<KnownDepth> known) {
+  if (known.empty()) return 0;
+  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+  std::nth_element(known.begin(), middle, known.end(),
+                   [](const KnownDepth& a, const KnownDepth& b) { return a.z < b.z; });
+  return middle->z;
+}
+
+}  // namespace
+
+std::vector<KnownDepth> known_depths(const LocalMap& map, const std::vector<int>& keyframes,
+                                     const Pose& world_from_cam, const Camera& camera) {
+  std::vector<KnownDepth> known;
+  for (const VisiblePoint& visible : points_in_view(map, keyframes, world_from_cam, camera, {})) {
+    const MapPoint& point = map.point(visible.ref);
+    const double relative_sigma = std::sqrt(point.variance) / point.inverse_z;
+    if (relative_sigma < kMostUncertain) known.push_back({visible.pixel, visible.x_in_cam.z(), relative_sigma});
+  }
+  return known;
+}
+
+std::optional<MotionLength> length_by_known(const TwoViewStart& two_views, const MapFrame& frame1,
+                                            const std::vector<KnownDepth>& known) {
+  std::vector<Vote> votes;
+  for (const MapPoint& point : two_views.points) {
+    const KnownDepth* depth = nearest_to(frame1.pixel(point.feature), known);
+    if (!depth) continue;
+    constexpr double kLeastSigma = 0.03;  // of one point, whose neighbour this may be
+    const double sigma = std::hypot(std::sqrt(point.variance) / point.inverse_z, depth->relative_sigma);
+    if (sigma > kMostUncertain) continue;
+    const double worth = std::max(kLeastSigma, sigma);
+    votes.push_back({std::log(depth->z * point.inverse_z), 1 / (worth * worth)});
+  }
+  if (static_cast<int>(votes.size()) < kFewest) return std::nullopt;
+  const double middle = weighted_median(votes);
+  constexpr double kAgreeing = 0.2;
+  double information = 0, squares = 0;
+  int agreeing = 0;
+  for (const Vote& vote : votes) {
+    const double off = vote.log_length - middle;
+    if (std::abs(off) > kAgreeing) continue;
+    ++agreeing, information += vote.weight, squares += vote.weight * off * off;
+  }
+  if (agreeing < kFewest || 2 * agreeing < static_cast<int>(votes.size())) return std::nullopt;
+  const double noise = std::max(1.0, squares / agreeing);
+  return MotionLength{std::exp(middle), std::sqrt(noise / information)};
+}
+
+std::optional<ViewPose> pose_from_views(FrameView& first, FrameView& second, const Pose& prior,
+                                        const std::vector<KnownDepth>& known, const Camera& camera,
+                                        const RansacOptions& ransac) {
+  if (first.empty() || second.empty()) return std::nullopt;
+  TwoViewOptions options;
+  options.ransac = ransac;
+  options.farthest = 2;  // anywhere
+  options.min_parallax_deg = 0;  // few known depths are enough
+  options.min_points = kFewest;
+  const MapFrame &frame1 = first.described(camera), &frame2 = second.described(camera);
+  const TwoViewStart two_views = start_from_two_views(frame1, frame2, camera, options);
+  if (two_views.kind == TwoViewStart::Kind::kUnrelated) return std::nullopt;
+  ViewPose found;
+  found.pose.num_inliers = two_views.inliers;
+  found.pose.inliers.assign(two_views.pairs, 1);
+  found.pose.cam_from_reference = two_views.cam2_from_cam1;
+  Matrix6d& C = found.pose.covariance = two_views.covariance;
+  Eigen::Vector3d& t = found.pose.cam_from_reference.t;
+  MotionLength length{prior.t.norm(), 1};
+  if (two_views.support == EstimateKind::kRotationOnly) {
+    t.setZero();
+    length.value = 0;
+    C.rightCols<3>().setZero(), C.bottomRows<3>().setZero();
+    const double sigma = 2 * options.max_error_px / std::abs(camera.fx) * median_z(known);
+    C.bottomRightCorner<3, 3>() = sigma * sigma * Eigen::Matrix3d::Identity();
+    found.is_guess = known.empty();
+  } else if (two_views.kind == TwoViewStart::Kind::kTriangulated) {
+    const auto by_known = length_by_known(two_views, frame1, known);
+    found.is_guess = !by_known;
+    if (by_known) length = *by_known;
+    t *= length.value;
+    C.rightCols<3>() *= length.value, C.bottomRows<3>() *= length.value;
+    C.bottomRightCorner<3, 3>() += std::pow(length.relative_sigma, 2) * t * t.transpose();
+  } else {
+    found.is_guess = true;
+    t = two_views.cam2_from_cam1.R * prior.R.transpose() * prior.t;
+  }
+  if (!found.is_guess && !C.allFinite()) return std::nullopt;
+  return found;
+}
+
+}  // namespace framewise
