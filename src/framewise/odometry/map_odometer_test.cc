@@ -258,5 +258,29 @@ TEST(RunMapOdometry, WithoutDepthFollowsUpToOneScale) {
   EXPECT_EQ(result.causal[23].step.status, Status::kOk);
 }
 
+// From frame 8 on it looks now to one side, now to the other, by 29 degrees, and moves four times as far a
+// frame: nothing is where it was expected, and the scale goes on all the same.
+TEST(RunMapOdometry, WithoutDepthWideStepsKeepTheScale) {
+  const Boxes boxes;
+  const auto path = [](std::size_t i) {
+    const double s = static_cast<double>(i), along = i < 8 ? 0.05 * s - 0.6 : 0.2 * (s - 7) - 0.25;
+    const double turned = i < 8 ? 0 : i % 2 == 0 ? 0.25 : -0.25;
+    return Pose{so3_exp({0, turned, 0}), {along, 0.01 * s, 0.01 * s}};
+  };
+  FrameSource source = boxes.source(14, path);
+  source.load = [load = source.load](std::size_t i) {
+    Frame frame = load(i);
+    frame.depth.release();
+    return frame;
+  };
+  const auto result = run(source);
+  const auto length = [&](std::size_t a, std::size_t b) {
+    return (result.causal[b].world_from_cam.t - result.causal[a].world_from_cam.t).norm();
+  };
+  const auto true_length = [&](std::size_t a, std::size_t b) { return (path(b).t - path(a).t).norm(); };
+  for (std::size_t i = 7; i < 14; ++i) EXPECT_EQ(result.causal[i].step.status, Status::kOk) << i;
+  EXPECT_NEAR(length(7, 13) / length(3, 7), true_length(7, 13) / true_length(3, 7), 0.3);
+}
+
 }  // namespace
 }  // namespace framewise

@@ -188,8 +188,7 @@ std::optional<Placed> place_by_pair(const MapFrame& frame, FrameView& frame_view
   if (!earlier.frame().depth.empty()) {
     pair = pose_from_pair(earlier, frame_view, prior, view.camera, options);
   } else {
-    const auto known =
-        known_depths(view.map, in_view(world_from_earlier), world_from_earlier, view.camera);
+    const auto known = known_depths(view.map, in_view(world_from_earlier), world_from_earlier, view.camera);
     if (auto found = pose_from_views(earlier, frame_view, prior, known, view.camera, options.odometry.ransac))
       pair = std::move(found->pose), is_guess = found->is_guess;
   }

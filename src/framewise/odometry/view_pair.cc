@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio> //PROBE
+#include <cstdio>  //PROBE
 
 namespace framewise {
 namespace {
 
-constexpr double kNearPx = 3;          // a feature and a point that are the same corner
+constexpr double kNearPx = 3;           // a feature and a point that are the same corner
 constexpr double kMostUncertain = 0.2;  // of depths that are worth asking
-constexpr int kFewest = 10;     // as of length_by_depth
+constexpr int kFewest = 10;             // as of length_by_depth
 
 const KnownDepth* nearest_to(const Eigen::Vector2d& pixel, const std::vector<KnownDepth>& known) {
   const KnownDepth* nearest = nullptr;
@@ -52,7 +52,8 @@ std::vector<KnownDepth> known_depths(const LocalMap& map, const std::vector<int>
   for (const VisiblePoint& visible : points_in_view(map, keyframes, world_from_cam, camera, {})) {
     const MapPoint& point = map.point(visible.ref);
     const double relative_sigma = std::sqrt(point.variance) / point.inverse_z;
-    if (relative_sigma < kMostUncertain) known.push_back({visible.pixel, visible.x_in_cam.z(), relative_sigma});
+    if (relative_sigma < kMostUncertain)
+      known.push_back({visible.pixel, visible.x_in_cam.z(), relative_sigma});
   }
   return known;
 }
@@ -90,7 +91,7 @@ std::optional<ViewPose> pose_from_views(FrameView& first, FrameView& second, con
   if (first.empty() || second.empty()) return std::nullopt;
   TwoViewOptions options;
   options.ransac = ransac;
-  options.farthest = 2;  // anywhere
+  options.farthest = 2;          // anywhere
   options.min_parallax_deg = 0;  // few known depths are enough
   options.min_points = kFewest;
   const MapFrame &frame1 = first.described(camera), &frame2 = second.described(camera);

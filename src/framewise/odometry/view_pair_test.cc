@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Framewise authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framewise/odometry/view_pair.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "framewise/odometry/boxes_for_tests.h"
+
+namespace framewise {
+namespace {
+
+// Half a metre aside and rolled by 23 degrees: nothing is where it was.
+const Pose kWide{so3_exp({0.02, -0.1, 0.4}), {0.4, 0.1, 0.05}};
+
+struct TwoFrames {
+  Frame frame1, frame2;
+  FrameView first, second;
+
+  explicit TwoFrames(const Pose& world_from_cam2) {
+    static const Boxes boxes;
+    frame1 = boxes.frame({}, 0), frame2 = boxes.frame(world_from_cam2, 0.1);
+    first = blind(frame1), second = blind(frame2);
+  }
+
+  static FrameView blind(Frame frame) {
+    frame.depth.release();
+    return FrameView(look_at(frame, 0));
+  }
+
+  // As a map of that unit would have them: of some features of the first frame.
+  std::vector<KnownDepth> known(double unit) {
+    std::vector<KnownDepth> depths;
+    const MapFrame& frame = first.described(Boxes::camera());
+    for (int i = 0; i < static_cast<int>(frame.rays.size()); i += 7) {
+      const Eigen::Vector2d pixel = frame.pixel(i);
+      const double z = frame1.depth.at<float>(static_cast<int>(pixel.y()), static_cast<int>(pixel.x()));
+      if (std::isfinite(z)) depths.push_back({pixel, z * unit, 0.02});
+    }
+    return depths;
+  }
+
+  std::optional<ViewPose> pose(const std::vector<KnownDepth>& depths, const Pose& prior = {}) {
+    return pose_from_views(first, second, prior, depths, Boxes::camera(), {});
+  }
+};
+
+TEST(PoseFromViews, AMotionThatNothingForetellsHasTheUnitOfTheDepthsThatAreKnown) {
+  TwoFrames frames(kWide);
+  for (const double unit : {1.0, 3.7}) {
+    const auto found = frames.pose(frames.known(unit));
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(found->is_guess);
+    const Pose world_from_cam = found->pose.cam_from_reference.inverse();
+    EXPECT_LT((world_from_cam.t / unit - kWide.t).norm(), 0.03);
+    EXPECT_LT(rotation_angle(world_from_cam.R.transpose() * kWide.R), 0.01);
+    EXPECT_TRUE(found->pose.covariance.allFinite());
+  }
+}
+
+TEST(PoseFromViews, ATurnIsATurnAndInventsNoMotion) {
+  const Pose turned{so3_exp({0.02, -0.2, 0.05}), {0, 0, 0}};
+  TwoFrames frames(turned);
+  const auto found = frames.pose(frames.known(1), {Eigen::Matrix3d::Identity(), {0.3, 0, 0}});
+  ASSERT_TRUE(found);
+  EXPECT_LT(rotation_angle(found->pose.cam_from_reference.R * turned.R), 0.004);
+  if (!found->is_guess) {
+    EXPECT_LT(found->pose.cam_from_reference.t.norm(), 0.02);
+  }
+}
+
+TEST(PoseFromViews, WithoutAKnownDepthTheLengthIsThePriorsAndSaidToBeAGuess) {
+  TwoFrames frames(kWide);
+  const Pose prior{Eigen::Matrix3d::Identity(), {0, 0, -0.7}};
+  const auto found = frames.pose({}, prior);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->is_guess);
+  EXPECT_NEAR(found->pose.cam_from_reference.t.norm(), 0.7, 1e-9);
+  const Pose expected = kWide.inverse();
+  EXPECT_GT(found->pose.cam_from_reference.t.normalized().dot(expected.t.normalized()), 0.99);
+}
+
+TEST(PoseFromViews, WhatHasNothingInCommonHasNoPose) {
+  TwoFrames frames(kWide);
+  const auto depths = frames.known(1);
+  Frame noise = frames.frame2;
+  cv::RNG(5).fill(noise.gray, cv::RNG::UNIFORM, 0, 256);
+  frames.second = TwoFrames::blind(noise);
+  EXPECT_FALSE(frames.pose(depths));
+  frames.second = FrameView();
+  EXPECT_FALSE(frames.pose(depths));
+}
+
+// A triangulated motion of length 1 whose points are at depth 2, seen at (20 i, 0).
+struct Triangulated {
+  TwoViewStart two_views;
+  MapFrame frame1;
+  std::vector<KnownDepth> known;
+
+  explicit Triangulated(int count) {
+    for (int i = 0; i < count; ++i) {
+      frame1.features.keypoints.emplace_back(20.0f * static_cast<float>(i), 0.0f, 7.0f);
+      MapPoint point{};
+      point.feature = i;
+      point.ray = {0, 0, 1};
+      point.inverse_z = 0.5;
+      point.variance = 1e-4;
+      two_views.points.push_back(point);
+      known.push_back({{20.0 * i + 1, 1}, 6.0, 0.01});
+    }
+  }
+};
+
+TEST(LengthByKnown, IsThatOfMostPointsWhateverSomeSay) {
+  Triangulated scene(40);
+  for (int i = 0; i < 40; i += 3) scene.known[i].z = 25;
+  const auto length = length_by_known(scene.two_views, scene.frame1, scene.known);
+  ASSERT_TRUE(length);
+  EXPECT_NEAR(length->value, 3, 0.03);
+  EXPECT_LT(length->relative_sigma, 0.05);
+}
+
+TEST(LengthByKnown, IsEmptyWhereFewAreKnownOrNoneIsNearOrTheyDisagree) {
+  EXPECT_FALSE(length_by_known(Triangulated(9).two_views, Triangulated(9).frame1, Triangulated(9).known));
+  Triangulated beside(40), uncertain(40), scattered(40);
+  for (KnownDepth& depth : beside.known) depth.pixel.y() = 5;
+  EXPECT_FALSE(length_by_known(beside.two_views, beside.frame1, beside.known));
+  for (KnownDepth& depth : uncertain.known) depth.relative_sigma = 0.5;
+  EXPECT_FALSE(length_by_known(uncertain.two_views, uncertain.frame1, uncertain.known));
+  for (int i = 0; i < 40; ++i) scattered.known[i].z = std::exp(0.1 * i);
+  EXPECT_FALSE(length_by_known(scattered.two_views, scattered.frame1, scattered.known));
+}
+
+}  // namespace
+}  // namespace framewise
