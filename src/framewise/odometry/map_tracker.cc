@@ -189,8 +189,10 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
   track.seen.has_depth = !frame->depth.empty();
   const Pose world_from_earlier = world_from_earlier_ = world_from_before_;
   const double dt = frame->time - time_before_;
-  const auto correction = readout_correction(placed.matches, placed.pose);
-  if (options_.map.unskew) readout_.add(correction.seconds, correction.information, dt);
+  // Points without depth bend with the skew and hide it.
+  if (const auto correction = readout_correction(placed.matches, placed.pose);
+      options_.map.unskew && !frame->depth.empty())
+    readout_.add(correction.seconds, correction.information, dt);
   shutter_ = placed.shutter;
   if (trajectory_.size() == 1) map_.at(0).shutter = shutter_;  // as the first frame turned, most likely
   world_from_before_ = track.world_from_cam;
