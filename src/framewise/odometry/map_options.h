@@ -13,11 +13,11 @@ struct MapOptions {
   // The last keyframes and their points together (window_adjustment.h), with depth: always, never or auto
   // (keyframe_choice.h).
   std::string adjust = "auto";
-  bool fuse = true;             // depth of later frames into the points
-  bool follow = true;           // depth to where the camera was when it was taken
-  bool unskew = true;           // a rolling shutter's rows, by a readout that is learned (rolling_shutter.h)
-  bool learn_lens = true;       // without depth: what the calibration leaves of it (window_adjustment.h)
-  int features = 1000;          // of a keyframe
+  bool fuse = true;        // depth of later frames into the points
+  bool follow = true;      // depth to where the camera was when it was taken
+  bool unskew = true;      // a rolling shutter's rows, by a readout learned with depth (rolling_shutter.h)
+  bool learn_lens = true;  // without depth: what the calibration leaves of it (window_adjustment.h)
+  int features = 1000;     // of a keyframe
   std::string spread = "grid";  // over the image: crowded ones say the same (spread.h)
   double keyframe_share = 0.7;  // a frame that sees less than this of what the last keyframe saw becomes one
   // Without depth also one whose motion shifted what it sees by so much of the image's width.

@@ -132,5 +132,25 @@ TEST(LengthByKnown, IsEmptyWhereFewAreKnownOrNoneIsNearOrTheyDisagree) {
   EXPECT_FALSE(length_by_known(scattered.two_views, scattered.frame1, scattered.known));
 }
 
+TEST(KnownDepths, AreThoseThatTheCameraSeesAndTheMapIsSureOf) {
+  LocalMap map(3);
+  Keyframe& keyframe = map.add(std::make_shared<MapFrame>(), {});
+  for (const double relative_sigma : {0.05, 0.5}) {
+    MapPoint point{};
+    point.ray = {0.1, 0, 1};
+    point.inverse_z = 0.5;
+    point.variance = std::pow(relative_sigma * point.inverse_z, 2);
+    keyframe.points.push_back(point);
+  }
+  const Pose forward{Eigen::Matrix3d::Identity(), {0, 0, 0.5}};
+  const auto known = known_depths(map, {0}, forward, Boxes::camera());
+  ASSERT_EQ(known.size(), 1u);
+  EXPECT_NEAR(known[0].z, 1.5, 1e-12);
+  EXPECT_NEAR(known[0].relative_sigma, 0.05, 1e-12);
+  EXPECT_NEAR(known[0].pixel.x(), 159.5 + 250 * 0.2 / 1.5, 1e-9);
+  const Pose away{so3_exp({0, M_PI, 0}), {0, 0, 0}};
+  EXPECT_TRUE(known_depths(map, {0}, away, Boxes::camera()).empty());
+}
+
 }  // namespace
 }  // namespace framewise
