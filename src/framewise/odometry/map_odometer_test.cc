@@ -239,15 +239,19 @@ TEST(RunMapOdometry, NoFramesAndEmptyFramesAreNoCrash) {
   for (const FrameResult& frame : result.causal) EXPECT_TRUE(frame.world_from_cam.matrix().allFinite());
 }
 
-// Without depth, the first two views' baseline is the unit of length.
-TEST(RunMapOdometry, WithoutDepthFollowsUpToOneScale) {
-  const Boxes boxes;
-  FrameSource source = boxes.source(24, sideways);
+FrameSource without_depth(FrameSource source) {
   source.load = [load = source.load](std::size_t i) {
     Frame frame = load(i);
     frame.depth.release();
     return frame;
   };
+  return source;
+}
+
+// Without depth, the first two views' baseline is the unit of length.
+TEST(RunMapOdometry, WithoutDepthFollowsUpToOneScale) {
+  const Boxes boxes;
+  const FrameSource source = without_depth(boxes.source(24, sideways));
   const auto result = run(source);
   const double scale = sideways(23).t.norm() / result.causal[23].world_from_cam.t.norm();
   for (std::size_t i = 0; i < 24; ++i) {
@@ -267,12 +271,7 @@ TEST(RunMapOdometry, WithoutDepthWideStepsKeepTheScale) {
     const double turned = i < 8 ? 0 : i % 2 == 0 ? 0.25 : -0.25;
     return Pose{so3_exp({0, turned, 0}), {along, 0.01 * s, 0.01 * s}};
   };
-  FrameSource source = boxes.source(14, path);
-  source.load = [load = source.load](std::size_t i) {
-    Frame frame = load(i);
-    frame.depth.release();
-    return frame;
-  };
+  const FrameSource source = without_depth(boxes.source(14, path));
   const auto result = run(source);
   const auto length = [&](std::size_t a, std::size_t b) {
     return (result.causal[b].world_from_cam.t - result.causal[a].world_from_cam.t).norm();
