@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>  //PROBE
 
 namespace framewise {
 namespace {
