@@ -46,9 +46,21 @@ std::optional<Eigen::Vector2d> Shutter::project(const Camera& camera, const Eige
 void ReadoutEstimate::add(double correction, double information, double longest) {
   if (!std::isfinite(correction) || !(information > 0)) return;
   constexpr double kMost = 1 / (0.001 * 0.001);  // it may still be learned anew
-  seconds_ =
-      std::clamp(seconds_ + information / (information_ + information) * correction, -longest, longest);
-  information_ = std::min(kMost, information_ + information);
+  const double departure = seconds() + correction - estimate_;
+  const double all = information_ + information, kept = std::min(kMost, all) / all;
+  estimate_ = std::clamp(estimate_ + information / all * departure, -longest, longest);
+  scatter_ = kept * kept * (scatter_ + std::pow(information * departure, 2));
+  information_ = kept * all;
+
+  constexpr double kLeast = 0.004;  // s: such a skew is below what rays are certain to
+  constexpr double kSure = 3;       // standard errors, as said or as the estimates scatter
+  const double error = std::max(std::sqrt(scatter_) / information_, 1 / std::sqrt(information_));
+  const bool was_rolling = is_rolling_;
+  is_rolling_ = std::abs(estimate_) > (was_rolling ? kLeast / 2 : std::max(kLeast, kSure * error));
+  if (!is_rolling_ || was_rolling) return;
+  constexpr double kLeft = 0.1;  // of what was learned while rays were taken as if it were 0
+  information_ *= kLeft;
+  scatter_ *= kLeft * kLeft;
 }
 
 }  // namespace framewise

@@ -35,17 +35,22 @@ inline double row_of(const Camera& camera, double v) {
   return camera.height > 1 ? v / (camera.height - 1) - 0.5 : 0;
 }
 
-// The readout, learned from what residuals say of it while a camera turns now faster, now slower.
+// The readout, learned from what residuals say of it while a camera turns now faster, now slower. Most
+// shutters are global, and what then is learned of one is only noise that all rays of an image share: it is 0
+// until it is surely more than that.
 class ReadoutEstimate {
  public:
-  double seconds() const { return seconds_; }
+  double seconds() const { return is_rolling_ ? estimate_ : 0; }
 
-  // An estimate of how far it is off, with its information (1/s^2). longest: that a frame may take (s).
+  // An estimate of how far seconds() is off, with its information (1/s^2). longest: that a frame may take
+  // (s).
   void add(double correction, double information, double longest);
 
  private:
-  double seconds_ = 0;
+  double estimate_ = 0;
+  bool is_rolling_ = false;
   double information_ = 1 / (0.02 * 0.02);  // 1/s^2; most shutters are global or slower than some 10 ms
+  double scatter_ = 0;                      // sum of squared (information times departure from the estimate)
 };
 
 }  // namespace framewise

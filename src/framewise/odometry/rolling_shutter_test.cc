@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "framewise/geometry/so3.h"
+#include "framewise/solvers/problems_for_tests.h"
 
 namespace framewise {
 namespace {
@@ -47,6 +48,23 @@ TEST(ReadoutEstimate, ComesToWhatEveryFrameSaysAndStaysWithinAFrame) {
   EXPECT_EQ(estimate.seconds(), before);
   for (int i = 0; i < 400; ++i) estimate.add(1, 1e6, 0.033);
   EXPECT_LE(estimate.seconds(), 0.033);
+}
+
+TEST(ReadoutEstimate, OfAGlobalShutterIsZeroWhateverNoiseSays) {
+  ReadoutEstimate estimate;
+  testing::Random random(2);
+  for (int i = 0; i < 300; ++i) {
+    estimate.add(0.001 + 0.004 * random.normal() - estimate.seconds(), 1e5, 0.033);
+    EXPECT_EQ(estimate.seconds(), 0);
+  }
+}
+
+TEST(ReadoutEstimate, WaitsUntilItIsSureThatAShutterRolls) {
+  ReadoutEstimate estimate;
+  estimate.add(0.02, 2e3, 0.033);
+  EXPECT_EQ(estimate.seconds(), 0);
+  for (int i = 0; i < 60; ++i) estimate.add(0.02 - estimate.seconds(), 2e3, 0.033);
+  EXPECT_NEAR(estimate.seconds(), 0.02, 2e-3);
 }
 
 }  // namespace
