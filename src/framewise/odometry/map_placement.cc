@@ -12,8 +12,9 @@
 namespace framewise {
 namespace {
 
-// Shares of the patches: what is found by chance, and what will do where features vouch for the pose.
-constexpr double kMoreThanChance = 0.33, kFewWillDo = 0.05;
+// Shares of the patches: what is found by chance, what will do where more vouches for the pose, and what
+// needs none to vouch for it.
+constexpr double kMoreThanChance = 0.33, kFewWillDo = 0.05, kHalf = 0.5;
 // How many levels above their own patches are looked for from afar, and how many patches.
 constexpr int kFar = 3, kFew = 150;
 
@@ -186,11 +187,14 @@ std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapVie
   const auto keyframes = keyframes_in_view(view.map, predicted, view.camera, options.newest, options.others);
   const Pose predicted_from_before = predicted.inverse() * view.world_from_before;
   Placed placed = place_near(frame, predicted_from_before, keyframes, kFar, kFew, view);
-  if (is_credible(placed, options))
+  // Few will do to say where to look for all, if many are found there: where a corridor repeats itself,
+  // features find another part of it.
+  const double least_found = is_credible(placed, options) ? kMoreThanChance : kHalf;
+  if (is_credible(placed, options, kFewWillDo))
     placed = look_nearby(frame, placed.pose.cam_from_reference, keyframes, view);
-  const bool is_found = is_credible(placed, options, kMoreThanChance);
   constexpr double kDoubtfulPx = 0.4;  // blur, or a wrong pose
-  if (is_found && noise_px(placed, options) < kDoubtfulPx) return placed;
+  if (is_credible(placed, options, kHalf) && noise_px(placed, options) < kDoubtfulPx) return placed;
+  const bool is_found = is_credible(placed, options, least_found);
   auto by_features = place_by_features(frame, predicted, keyframes, view);
   if (is_found) return by_features && explains_better(*by_features, placed) ? by_features : placed;
   if (is_credible(placed, options)) unsure = placed;
