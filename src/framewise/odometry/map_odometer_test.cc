@@ -54,6 +54,50 @@ TEST(RunMapOdometry, FollowsAKnownMotionInMetres) {
   }
 }
 
+// 9 cm and 2.4 degrees a frame.
+Pose striding(std::size_t i) {
+  const double s = static_cast<double>(i);
+  return {so3_exp({0, -0.04 * std::sin(0.8 * s), 0.01 * s}), {0.04 * s, 0.02 * std::sin(s), 0.08 * s - 0.9}};
+}
+
+TEST(RunMapOdometry, WithDepthALensIsAsItWasCalibrated) {
+  const Boxes boxes;
+  MapOptions map;
+  map.adjust = "always";
+  map.keyframe_share = 0.95;
+  const auto expected = run(boxes.source(12, striding), 1, map);
+  map.learn_lens = false;
+  const auto found = run(boxes.source(12, striding), 1, map);
+  for (std::size_t i = 0; i < 12; ++i)
+    EXPECT_EQ(found.causal[i].world_from_cam.matrix(), expected.causal[i].world_from_cam.matrix()) << i;
+}
+
+// Holes of 80 pixels, each elsewhere in each frame; three fifths of all depth.
+FrameSource holed(FrameSource source) {
+  source.load = [load = source.load](std::size_t index) {
+    Frame frame = load(index);
+    cv::RNG rng(index + 5);
+    for (int k = 0; k < 12; ++k) {
+      const cv::Rect hole(rng.uniform(-40, 280), rng.uniform(-40, 200), 80, 80);
+      frame.depth(hole & cv::Rect({}, frame.depth.size())) = std::numeric_limits<float>::quiet_NaN();
+    }
+    return frame;
+  };
+  return source;
+}
+
+TEST(RunMapOdometry, LongStridesAndHolesInTheDepthLeaveItWhereItIs) {
+  const Boxes boxes;
+  const auto whole = run(boxes.source(14, striding)), parts = run(holed(boxes.source(14, striding)));
+  for (const auto* result : {&whole, &parts})
+    for (std::size_t i = 0; i < 14; ++i) {
+      const Pose expected = striding(0).inverse() * striding(i);
+      EXPECT_EQ(result->causal[i].step.status, Status::kOk) << i;
+      EXPECT_LT(position_error(result->causal[i].world_from_cam, expected), 0.006) << i;
+      EXPECT_LT(angle_error(result->causal[i].world_from_cam, expected), 0.003) << i;
+    }
+}
+
 TEST(RunMapOdometry, IsTheSameAtAnyThreadCount) {
   const Boxes boxes;
   const auto expected = run(boxes.source(14, sideways), 1);

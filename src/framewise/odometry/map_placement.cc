@@ -12,10 +12,15 @@
 namespace framewise {
 namespace {
 
-// Shares of the patches: what is found by chance, and what will do where features vouch for the pose.
-constexpr double kMoreThanChance = 0.33, kFewWillDo = 0.05;
+// Shares of the patches: what is found by chance, what will do where more vouches for the pose, and what
+// needs none to vouch for it.
+constexpr double kMoreThanChance = 0.33, kFewWillDo = 0.05, kHalf = 0.5;
 // How many levels above their own patches are looked for from afar, and how many patches.
 constexpr int kFar = 3, kFew = 150;
+
+double noise_px(const Placed& placed, const MapOptions& options) {
+  return placed.pose.ray_scale * options.least_sigma_px;
+}
 
 MapMatch match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, double sigma_px,
                   const Shutter& shutter, const MapView& view) {
@@ -102,7 +107,14 @@ bool is_credible(const Placed& placed, const MapOptions& options, double least_f
   const int found = static_cast<int>(placed.matches.size());
   return placed.pose.num_inliers >= options.min_inliers && 2 * placed.pose.num_inliers >= found &&
          found >= least_found * placed.sought && placed.pose.covariance.allFinite() &&
-         placed.pose.ray_scale * options.least_sigma_px < kMostNoisePx;
+         noise_px(placed, options) < kMostNoisePx;
+}
+
+bool explains_better(const Placed& one, const Placed& other) {
+  const auto information = [](const MapPose& pose) {
+    return pose.num_inliers / (pose.ray_scale * pose.ray_scale);
+  };
+  return information(one.pose) > information(other.pose);
 }
 
 Placed place_near(const MapFrame& frame, const Pose& cam_from_before, const std::vector<int>& keyframes,
@@ -134,6 +146,8 @@ Placed place_near(const MapFrame& frame, const Pose& cam_from_before, const std:
   return placed;
 }
 
+namespace {
+
 // All patches around where a pose has them, and again from the pose that they give while that is so far off
 // the other that many may have been missed.
 Placed look_nearby(const MapFrame& frame, Pose cam_from_before, const std::vector<int>& keyframes,
@@ -150,26 +164,41 @@ Placed look_nearby(const MapFrame& frame, Pose cam_from_before, const std::vecto
   }
 }
 
+// Features matched near the prediction and then anywhere, and patches from the pose that they give.
+std::optional<Placed> place_by_features(MapFrame& frame, const Pose& predicted,
+                                        const std::vector<int>& keyframes, const MapView& view) {
+  const MapOptions& options = view.options.map;
+  describe(frame, view.camera, options);
+  int matched = 0;
+  const auto first = find_first_pose(frame, predicted, keyframes, view, matched);
+  // From here it is the features that vouch for the pose.
+  if (!first || first->inliers < 2 * options.min_inliers) return std::nullopt;
+  Placed placed = look_nearby(frame, first->cam_from_reference, keyframes, view, kFewWillDo);
+  placed.matched = std::max(matched, placed.matched);
+  placed.iterations = first->iterations;
+  return is_credible(placed, options, kFewWillDo) ? std::optional(placed) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapView& view,
                             std::optional<Placed>& unsure) {
   const MapOptions& options = view.options.map;
   const auto keyframes = keyframes_in_view(view.map, predicted, view.camera, options.newest, options.others);
   const Pose predicted_from_before = predicted.inverse() * view.world_from_before;
   Placed placed = place_near(frame, predicted_from_before, keyframes, kFar, kFew, view);
-  if (is_credible(placed, options))
+  // Few will do to say where to look for all, if many are found there: where a corridor repeats itself,
+  // features find another part of it.
+  const double least_found = is_credible(placed, options) ? kMoreThanChance : kHalf;
+  if (is_credible(placed, options, kFewWillDo))
     placed = look_nearby(frame, placed.pose.cam_from_reference, keyframes, view);
-  if (is_credible(placed, options, kMoreThanChance)) return placed;
+  constexpr double kDoubtfulPx = 0.4;  // blur, or a wrong pose
+  if (is_credible(placed, options, kHalf) && noise_px(placed, options) < kDoubtfulPx) return placed;
+  const bool is_found = is_credible(placed, options, least_found);
+  auto by_features = place_by_features(frame, predicted, keyframes, view);
+  if (is_found) return by_features && explains_better(*by_features, placed) ? by_features : placed;
   if (is_credible(placed, options)) unsure = placed;
-
-  describe(frame, view.camera, options);
-  int matched = 0;
-  const auto first = find_first_pose(frame, predicted, keyframes, view, matched);
-  // From here it is the features that vouch for the pose.
-  if (!first || first->inliers < 2 * options.min_inliers) return std::nullopt;
-  placed = look_nearby(frame, first->cam_from_reference, keyframes, view, kFewWillDo);
-  placed.matched = std::max(matched, placed.matched);
-  placed.iterations = first->iterations;
-  return is_credible(placed, options, kFewWillDo) ? std::optional(placed) : std::nullopt;
+  return by_features;
 }
 
 std::optional<Placed> place_by_pair(const MapFrame& frame, FrameView& frame_view, FrameView& earlier,

@@ -36,8 +36,9 @@ struct MapView {
 };
 
 // A frame that is predicted to be at world_from_cam. Patches are looked for where that foretells them, a few
-// from afar and then all; where too few are found, features are matched, near and then anywhere. Empty where
-// what is found is not credible. unsure: what the patches alone told, where that is no more than chance may.
+// from afar and then all; where too few are found, or what is found is noisy, features are matched, near and
+// then anywhere, and what explains the frame better is taken. Empty where what is found is not credible.
+// unsure: what the patches alone told, where that is no more than chance may.
 std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapView& view,
                             std::optional<Placed>& unsure);
 
@@ -56,6 +57,11 @@ Placed place_near(const MapFrame& frame, const Pose& cam_from_before, const std:
 // Enough is found, and most of it agrees, to the noise of a place that is found at all. least_found: the
 // share of the patches; a fifth is found anywhere.
 bool is_credible(const Placed& placed, const MapOptions& options, double least_found = 0.2);
+
+// Whether one place of a frame has more of its points agree, to less noise, than another: the larger sum of
+// inverse variances. Patches far from where they were expected are drawn to what looks alike, and their pose
+// is one that half of them agree with to a pixel; the true one has most agree to a tenth.
+bool explains_better(const Placed& one, const Placed& other);
 
 // The inliers, as they count for the errors of the pose.
 std::vector<PlacedBy> placed_by(const Placed& placed, const DepthNoise& noise);

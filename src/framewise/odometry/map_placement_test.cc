@@ -108,6 +108,25 @@ TEST(IsCredible, WhereMostOfWhatIsSoughtIsFoundAndAgrees) {
   EXPECT_FALSE(is_credible(of_quality(19, 19, 0), {}));
 }
 
+Placed of_noise(int inliers, double ray_scale) {
+  Placed placed = of_quality(inliers, inliers, 0);
+  placed.pose.ray_scale = ray_scale;
+  return placed;
+}
+
+TEST(ExplainsBetter, WhereMorePointsAgreeOrTheSameToLessNoise) {
+  EXPECT_TRUE(explains_better(of_noise(101, 1), of_noise(100, 1)));
+  EXPECT_TRUE(explains_better(of_noise(100, 1), of_noise(100, 1.1)));
+  EXPECT_FALSE(explains_better(of_noise(100, 1), of_noise(100, 1)));
+}
+
+TEST(ExplainsBetter, AFewPointsThatAgreeCloselyBeforeManyThatHardlyDo) {
+  EXPECT_TRUE(explains_better(of_noise(60, 1), of_noise(240, 10)));
+  EXPECT_FALSE(explains_better(of_noise(240, 10), of_noise(60, 1)));
+  // Blur leaves both as noisy: then it is the number.
+  EXPECT_TRUE(explains_better(of_noise(240, 5), of_noise(150, 5)));
+}
+
 TEST(IsCredible, NotWhereThePoseIsFreeOrAllIsNoise) {
   Placed placed = of_quality(100, 100, 0);
   placed.pose.ray_scale = 20;

@@ -340,7 +340,7 @@ void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& wo
     has_points_ = is_metric_ = true;
   const bool has_depth = !frame->depth.empty();
   frame->depth.release();  // its points have it
-  if (placed && has_depth) grow();
+  if (placed && has_depth) seen += grow();
   if (adjusts) adjust();
   if (!has_depth) guess_points(map_, map_.newest_id(), taken, camera_);
   points_at_keyframe_ = std::min(options_.map.points, seen + points_added);
@@ -363,12 +363,15 @@ KeyframeNeed MapTracker::need_of_keyframe(const Placed& placed) const {
   return need;
 }
 
-// Points that no depth image tells, from the keyframes before.
-void MapTracker::grow() {
+// Points that no depth image tells, from the keyframes before. Returns how many, all of which the newest
+// keyframe sees.
+int MapTracker::grow() {
   constexpr int kBack = 2;
   const int newest = map_.newest_id();
+  int added = 0;
   for (int id = std::max(map_.first_id(), newest - kBack); id < newest; ++id)
-    grow_map(map_, id, newest, camera_);
+    added += grow_map(map_, id, newest, camera_);
+  return added;
 }
 
 void MapTracker::adjust() {
@@ -381,8 +384,9 @@ void MapTracker::adjust() {
   for (const int id : ids) (id > newest - kMoving && id > ids.front() ? moving : still).push_back(id);
   WindowOptions options;
   options.depth_noise = options_.depth_noise;
-  const bool learns_lens = options_.map.learn_lens && camera_.model == CameraModel::kPinhole;
+  // With depth, a lens that is free only takes a part of what is a motion forwards.
   const bool has_depth = map_.newest().frame->has_depth;
+  const bool learns_lens = options_.map.learn_lens && camera_.model == CameraModel::kPinhole && !has_depth;
   if (learns_lens) options.lens_information = lens_.information_for_window(has_depth);
   const WindowSummary window = adjust_window(map_, moving, still, options);
   if (const auto learned = learns_lens ? lens_.take_in(window, camera_, has_depth) : std::nullopt) {

@@ -61,7 +61,7 @@ class MapTracker {
   void become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& world_from_cam, const Placed* placed,
                        const std::vector<TrackedPoint>& traced = {}, bool adjusts = false);
   KeyframeNeed need_of_keyframe(const Placed& placed) const;
-  void grow();
+  int grow();
   void adjust();
   void remember(const MapFrame& frame, const Pose& world_from_cam);
 
