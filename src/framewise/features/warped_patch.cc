@@ -66,9 +66,10 @@ std::optional<TrackedPatch> track_patch(const ImageLevels& image1, const ImageLe
       if (!(correlation >= options.min_correlation)) return std::nullopt;
       // What gain and offset leave of the difference is noise.
       const float noise = (1 - correlation * correlation) * t->norm2 / std::max(1.0f, n - 4);
-      const float sigma = std::sqrt(noise * 0.5f * t->H_inverse.topLeftCorner<2, 2>().trace());
+      const Eigen::Matrix2f covariance = noise * t->H_inverse.topLeftCorner<2, 2>();
       const double to_pixels = std::ldexp(1.0, warp.level);
-      return TrackedPatch{place.cast<double>() * to_pixels, correlation, sigma * to_pixels};
+      return TrackedPatch{place.cast<double>() * to_pixels, correlation,
+                          PlaceNoise::of(to_pixels * to_pixels * covariance.cast<double>())};
     }
     const float gain = std::max(0.3f, 1 + d[2]);
     const Eigen::Vector2f step = d.head<2>() / gain;

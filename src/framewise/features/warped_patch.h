@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "framewise/geometry/place_noise.h"
+
 namespace framewise {
 
 // An image and its halvings: the pixel (u, v) of the image is (u, v) / 2^k on level k.
@@ -33,8 +35,7 @@ struct PatchWarp {
 struct TrackedPatch {
   Eigen::Vector2d pixel2;
   double correlation;
-  // Standard deviation (pixels) of the better and of the worse direction under the noise the patch shows.
-  double sigma_px;
+  PlaceNoise noise_px;  // under the noise the patch shows
 };
 
 // Moves pixel2 to where image 2 looks most like the warped patch of image 1, but for brightness and contrast;

@@ -47,7 +47,27 @@ TEST(TrackPatch, FindsAShiftToHundredthsOfAPixel) {
   ASSERT_TRUE(found);
   EXPECT_LT((found->pixel2 - kCentre - shift).norm(), 0.03);
   EXPECT_GT(found->correlation, 0.99);
-  EXPECT_LT(found->sigma_px, 0.05);
+  EXPECT_LT(found->noise_px.sigma, 0.05);
+}
+
+TEST(TrackPatch, OfStripesIsCertainAcrossThemAlone) {
+  const Eigen::Vector2d across = Eigen::Vector2d(2, 1).normalized(), along(-across.y(), across.x());
+  const auto stripes = [&](double moved) {
+    cv::Mat gray(120, 160, CV_8U);
+    cv::RNG random(4);
+    for (int v = 0; v < gray.rows; ++v)
+      for (int u = 0; u < gray.cols; ++u) {
+        const double p = across.dot(Eigen::Vector2d(u, v)) - moved;
+        gray.at<std::uint8_t>(v, u) =
+            cv::saturate_cast<std::uint8_t>(128 + 60 * std::sin(0.5 * p) + random.gaussian(2));
+      }
+    return image_levels(gray);
+  };
+  const auto found = track_patch(stripes(0), stripes(0.7), {kCentre, kCentre, kNone, 0});
+  ASSERT_TRUE(found);
+  EXPECT_LT(std::abs(across.dot(found->pixel2 - kCentre) - 0.7), 0.1);
+  const Eigen::Matrix2d C = found->noise_px.covariance();
+  EXPECT_GT(along.dot(C * along), 25 * across.dot(C * across));
 }
 
 TEST(TrackPatch, SeesThroughTurnScaleAndLight) {

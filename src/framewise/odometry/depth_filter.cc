@@ -164,11 +164,11 @@ std::vector<TrackedPoint> trace_points(LocalMap& map, const std::vector<int>& ke
       const auto place = found_along(host, point, frame, *segment, *warp);
       const auto ray = place ? plane_ray(camera, place->pixel2) : std::nullopt;
       if (ray) {
-        const double sigma_px = std::max(kNoisePx, place->sigma_px);
+        const double sigma_px = std::max(kNoisePx, place->noise_px.sigma);
         const Eigen::Vector3d at_middle = shutter.at_middle(*ray, row_of(camera, place->pixel2.y()));
         if (take_in(point, at_middle, sigma_px / focal, cam_from_host, kMaxErrorPx / focal)) {
           ++point.found;
-          found.push_back({{id, i}, place->pixel2, *ray, place->sigma_px});
+          found.push_back({{id, i}, place->pixel2, *ray, place->noise_px});
         }
       }
       constexpr int kPatience = 4;

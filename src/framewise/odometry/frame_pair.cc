@@ -25,7 +25,7 @@ std::vector<MapMatch> match_points(const MapFrame& first, const MapFrame& second
     point.S = point_covariance(ray1, plane1->z, sigma1,
                                plane1->noise_share * options.odometry.depth_noise.sigma(plane1->z));
     point.ray = second.rays[match.index2];
-    point.sigma = options.sigma_px * second.features.scale(match.index2) / focal;
+    point.noise.sigma = options.sigma_px * second.features.scale(match.index2) / focal;
     point.z = std::numeric_limits<double>::quiet_NaN();
     if (const auto plane2 = depth_along(second, point.ray, Pose(), camera, options.odometry))
       point.z = plane2->z, point.z_share = plane2->noise_share;

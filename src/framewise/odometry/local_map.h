@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "framewise/geometry/place_noise.h"
 #include "framewise/geometry/pose.h"
 #include "framewise/odometry/map_frame.h"
 #include "framewise/odometry/rolling_shutter.h"
@@ -18,7 +19,7 @@ namespace framewise {
 struct PointView {
   int keyframe;
   Eigen::Vector3d ray;   // on the plane z = 1, in the axes of the image's middle row
-  double sigma;          // of the ray's coordinates
+  PlaceNoise noise;      // of the ray
   double z;              // measured depth (m); NaN where unknown
   Eigen::Vector3d seen;  // the ray in the axes of its own row
   double row;            // of the image (rolling_shutter.h)

@@ -43,7 +43,7 @@ TEST(LocalMap, GoesOnAsAnotherThatStandsElsewhere) {
   for (int i = 0; i < 2; ++i)
     other.add(std::make_shared<MapFrame>(), {Eigen::Matrix3d::Identity(), {1.0 * i, 0, 0}});
   MapPoint point = point_at({0.1, 0.2, 1}, 2, 0.01);
-  point.views.push_back({1, {0, 0, 1}, 1e-3, 2, {0, 0, 1}, 0});
+  point.views.push_back({1, {0, 0, 1}, {1e-3}, 2, {0, 0, 1}, 0});
   other.at(0).points.push_back(point);
   map.go_on_as(other, kAside);
   EXPECT_FALSE(map.holds(0));
@@ -94,7 +94,7 @@ TEST(LocalMap, ACorrectedCameraSeesTheSamePixels) {
   LocalMap map(3);
   MapPoint point = point_at(frame->rays[0], 2, 0.01);
   const Eigen::Vector3d seen = *plane_ray(kCamera, {20, 200});
-  point.views.push_back({1, seen, 1e-3, std::numeric_limits<double>::quiet_NaN(), seen, 0.3});
+  point.views.push_back({1, seen, {1e-3}, std::numeric_limits<double>::quiet_NaN(), seen, 0.3});
   map.add(frame, {}).points.push_back(point);
   map.add(frame, kAside);
   map.set_camera(kCamera, bent);

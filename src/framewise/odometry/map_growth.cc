@@ -79,7 +79,7 @@ std::vector<FeaturePair> pair_features(const MapFrame& frame1, const std::vector
                     {frame1.pixel(i), frame2.pixel(j), growth * Eigen::Matrix2d::Identity(), level});
     if (!found) continue;
     if (const auto ray = plane_ray(camera, found->pixel2))
-      pairs.push_back({i, j, found->pixel2, *ray, found->sigma_px});
+      pairs.push_back({i, j, found->pixel2, *ray, found->noise_px});
   }
   return pairs;
 }
@@ -97,8 +97,8 @@ std::optional<MapPoint> triangulated_point(const Eigen::Vector3d& ray1, const Fe
   // How the place in camera 2 follows the inverse depth.
   const Eigen::Vector3d dX = -(cam2_from_cam1.R * ray1) / (inverse_z * inverse_z);
   const Eigen::Vector2d d = (dX.head<2>() - X2.head<2>() / X2.z() * dX.z()) / X2.z();
-  const double sigma = std::max(options.least_sigma_px, pair.sigma_px) / focal;
-  const double variance = sigma * sigma / d.squaredNorm();
+  const Eigen::Matrix2d W = pair.noise_px.at_least(options.least_sigma_px).whitening() * focal;
+  const double variance = 1 / (W * d).squaredNorm();
   if (!(std::sqrt(variance) < options.max_relative_sigma * inverse_z)) return std::nullopt;
   MapPoint made{pair.feature1, ray1, inverse_z, variance, 0, 0, {}, 0, 0};
   return made;
@@ -132,8 +132,13 @@ int grow_map(LocalMap& map, int older, int newer, const Camera& camera, const Gr
     auto point = triangulated_point(host.shutter.at_middle(host.frame->rays[pair.feature1], row1), pair,
                                     viewer_from_host, focal, options);
     if (!point) continue;
-    point->views.push_back({newer, pair.ray2, std::max(options.least_sigma_px, pair.sigma_px) / focal,
-                            std::numeric_limits<double>::quiet_NaN(), seen2, row2});
+    const PlaceNoise noise = pair.noise_px.at_least(options.least_sigma_px);
+    point->views.push_back({newer,
+                            pair.ray2,
+                            {noise.sigma / focal, noise.shape},
+                            std::numeric_limits<double>::quiet_NaN(),
+                            seen2,
+                            row2});
     host.points.push_back(std::move(*point));
     ++added;
   }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "framewise/geometry/place_noise.h"
 #include "framewise/odometry/local_map.h"
 
 namespace framewise {
@@ -17,7 +18,7 @@ struct FeaturePair {
   int feature1, feature2;
   Eigen::Vector2d pixel2;
   Eigen::Vector3d ray2;  // on the plane z = 1
-  double sigma_px;
+  PlaceNoise noise_px;
 };
 
 // Those features of frame 1 that are listed, among those listed of frame 2 within window_px of where they are

@@ -139,7 +139,7 @@ std::vector<TrackedPoint> track_map_points(const LocalMap& map, const std::vecto
         coarser);
     if (!found) continue;
     if (const auto ray = plane_ray(camera, found->pixel2))
-      tracked.push_back({visible.ref, found->pixel2, *ray, found->sigma_px});
+      tracked.push_back({visible.ref, found->pixel2, *ray, found->noise_px});
   }
   return tracked;
 }

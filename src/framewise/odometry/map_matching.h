@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "framewise/geometry/place_noise.h"
 #include "framewise/odometry/local_map.h"
 
 namespace framewise {
@@ -27,7 +28,7 @@ struct TrackedPoint {
   PointRef ref;
   Eigen::Vector2d pixel;
   Eigen::Vector3d ray;  // on the plane z = 1
-  double sigma_px;
+  PlaceNoise noise_px;
 };
 
 // Looks for the hosts' patches, warped as a plane across the host's line of sight would be, around where the

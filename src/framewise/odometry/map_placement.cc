@@ -18,11 +18,11 @@ constexpr double kMoreThanChance = 0.33, kFewWillDo = 0.05, kHalf = 0.5;
 // How many levels above their own patches are looked for from afar, and how many patches.
 constexpr int kFar = 3, kFew = 150;
 
-double noise_px(const Placed& placed, const MapOptions& options) {
+double shown_noise_px(const Placed& placed, const MapOptions& options) {
   return placed.pose.ray_scale * options.least_sigma_px;
 }
 
-MapMatch match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, double sigma_px,
+MapMatch match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, const PlaceNoise& noise_px,
                   const Shutter& shutter, const MapView& view) {
   const Keyframe& host = view.map.at(ref.keyframe);
   const MapPoint& point = host.points[ref.point];
@@ -31,7 +31,8 @@ MapMatch match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, d
   match.X = before_from_host * point.position();
   match.S = before_from_host.R * point.covariance() * before_from_host.R.transpose();
   match.ray = shutter.at_middle(ray, row);
-  match.sigma = std::max(view.options.map.least_sigma_px, sigma_px) / std::abs(view.camera.fx);
+  match.noise = noise_px.at_least(view.options.map.least_sigma_px);
+  match.noise.sigma /= std::abs(view.camera.fx);
   match.z = std::numeric_limits<double>::quiet_NaN();
   return match;
 }
@@ -74,7 +75,7 @@ std::optional<FirstPose> find_first_pose(const MapFrame& frame, const Pose& pred
     std::vector<MapMatch> matches;
     for (const FeatureOfPoint& match : found)
       matches.push_back(match_of(match.ref, frame.rays[match.feature],
-                                 row_of(view.camera, frame.pixel(match.feature).y()), 1.0, shutter, view));
+                                 row_of(view.camera, frame.pixel(match.feature).y()), {}, shutter, view));
     matched = std::max(matched, static_cast<int>(matches.size()));
     return first_pose(matches, predicted_from_before, options);
   };
@@ -107,7 +108,7 @@ bool is_credible(const Placed& placed, const MapOptions& options, double least_f
   const int found = static_cast<int>(placed.matches.size());
   return placed.pose.num_inliers >= options.min_inliers && 2 * placed.pose.num_inliers >= found &&
          found >= least_found * placed.sought && placed.pose.covariance.allFinite() &&
-         noise_px(placed, options) < kMostNoisePx;
+         shown_noise_px(placed, options) < kMostNoisePx;
 }
 
 bool explains_better(const Placed& one, const Placed& other) {
@@ -134,7 +135,7 @@ Placed place_near(const MapFrame& frame, const Pose& cam_from_before, const std:
   const Pose to_depth = depth_from_cam(frame, cam_from_before, view);
   for (const TrackedPoint& point : placed.points) {
     const double row = row_of(view.camera, point.pixel.y());
-    MapMatch match = match_of(point.ref, point.ray, row, point.sigma_px, placed.shutter, view);
+    MapMatch match = match_of(point.ref, point.ray, row, point.noise_px, placed.shutter, view);
     if (const auto plane = depth_along(frame, point.ray, to_depth, view.camera, view.options)) {
       match.z = placed.shutter.depth_at_middle(point.ray, row, plane->z);
       match.z_share = plane->noise_share;
@@ -193,7 +194,7 @@ std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapVie
   if (is_credible(placed, options, kFewWillDo))
     placed = look_nearby(frame, placed.pose.cam_from_reference, keyframes, view);
   constexpr double kDoubtfulPx = 0.4;  // blur, or a wrong pose
-  if (is_credible(placed, options, kHalf) && noise_px(placed, options) < kDoubtfulPx) return placed;
+  if (is_credible(placed, options, kHalf) && shown_noise_px(placed, options) < kDoubtfulPx) return placed;
   const bool is_found = is_credible(placed, options, least_found);
   auto by_features = place_by_features(frame, predicted, keyframes, view);
   if (is_found) return by_features && explains_better(*by_features, placed) ? by_features : placed;
@@ -251,7 +252,7 @@ std::vector<PlacedBy> placed_by(const Placed& placed, const DepthNoise& noise) {
     point.x_in_cam = cam_from_before * match.X;
     point.S = cam_from_before.R * match.S * cam_from_before.R.transpose();
     point.ray_residual = point.x_in_cam.head<2>() / point.x_in_cam.z() - match.ray.head<2>();
-    point.ray_sigma = placed.pose.ray_scale * match.sigma;
+    point.ray_noise = {placed.pose.ray_scale * match.noise.sigma, match.noise.shape};
     if (match.z > 0) {
       const double sigma = placed.pose.depth_scale * match.z_share * noise.sigma(match.z);
       point.z_residual = point.x_in_cam.z() - match.z;
@@ -272,8 +273,8 @@ Correspondences seen_from_before(const Placed& placed, const Camera& camera) {
     seen.x2.push_back(match.ray.normalized());
     seen.z1.push_back(match.X.z());
     seen.z2.push_back(match.z);
-    seen.sigma1.push_back(match.sigma);
-    seen.sigma2.push_back(match.sigma);
+    seen.sigma1.push_back(match.noise.sigma);
+    seen.sigma2.push_back(match.noise.sigma);
     seen.distance.push_back(0);
   }
   return seen;

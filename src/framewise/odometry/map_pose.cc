@@ -34,7 +34,7 @@ Whitened whitened(const MapMatch& match, const Pose& pose, const DepthNoise& noi
   Eigen::Matrix<double, 2, 3> J;
   J << iz, 0, -x.x() * iz * iz, 0, iz, -x.y() * iz * iz;
   const Eigen::Matrix3d S = pose.R * match.S * pose.R.transpose();
-  const Eigen::Matrix2d C = J * S * J.transpose() + match.sigma * match.sigma * Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d C = J * S * J.transpose() + match.noise.covariance();
   const Eigen::Vector2d r = x.head<2>() * iz - match.ray.head<2>();
   w.q = r.dot(C.inverse() * r);
   if (match.z > 0)
@@ -61,13 +61,20 @@ void measure_scales(const std::vector<MapMatch>& matches, const DepthNoise& nois
 }
 
 MapMatch rescaled(MapMatch match, double ray_scale) {
-  match.sigma *= ray_scale;
+  match.noise.sigma *= ray_scale;
   return match;
 }
 
 void set_symmetric(PointColumns& columns, std::size_t row, std::size_t first, const Eigen::Matrix3d& S) {
   columns.set3(row, first, S(0, 0), S(0, 1), S(0, 2));
   columns.set3(row, first + 3, S(1, 1), S(1, 2), S(2, 2));
+}
+
+// Of a point at depth z seen along a ray so uncertain, or so much more so than a ray of sigma `than`.
+Eigen::Matrix3d across(double z, const PlaceNoise& noise, double than) {
+  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
+  S.topLeftCorner<2, 2>() = z * z * (noise.covariance() - than * than * Eigen::Matrix2d::Identity());
+  return S;
 }
 
 // The matches as refine_rgbd_pair reads them. What a ray is less certain than the surest one is added to its
@@ -81,7 +88,7 @@ Refinement refine(const std::vector<MapMatch>& matches, const Pose& initial, con
   double surest = std::numeric_limits<double>::infinity();
   for (const MapMatch& match : matches) {
     with_depth.push_back(has_depth(match));
-    surest = std::min(surest, match.sigma);
+    surest = std::min(surest, match.noise.least());
   }
   const std::size_t both = std::count(with_depth.begin(), with_depth.end(), 1);
   RgbdColumns columns;
@@ -97,15 +104,14 @@ Refinement refine(const std::vector<MapMatch>& matches, const Pose& initial, con
       set_symmetric(columns.both, next_both, 4, m.S);
       const Eigen::Vector3d X2 = point_at_depth(m.ray, m.z);
       columns.both.set3(next_both, 10, X2.x(), X2.y(), X2.z());
-      set_symmetric(columns.both, next_both++, 13,
-                    point_covariance(m.ray, m.z, m.sigma, depth_scale * m.z_share * noise.sigma(m.z)));
+      const Eigen::Matrix3d along =
+          point_covariance(m.ray, m.z, 0, depth_scale * m.z_share * noise.sigma(m.z));
+      set_symmetric(columns.both, next_both++, 13, along + across(m.z, m.noise, 0));
     } else {
       const double z = std::max(0.01, (initial * m.X).z());
-      const Eigen::Matrix3d across =
-          (m.sigma * m.sigma - surest * surest) * z * z *
-          (Eigen::Matrix3d::Identity() - m.ray.normalized() * m.ray.normalized().transpose());
       columns.first.set3(next_first, 1, m.X.x(), m.X.y(), m.X.z());
-      set_symmetric(columns.first, next_first, 4, m.S + initial.R.transpose() * across * initial.R);
+      set_symmetric(columns.first, next_first, 4,
+                    m.S + initial.R.transpose() * across(z, m.noise, surest) * initial.R);
       columns.first.set3(next_first++, 10, m.ray.x(), m.ray.y(), m.ray.z());
     }
   }
@@ -164,20 +170,22 @@ ReadoutCorrection readout_correction(const std::vector<MapMatch>& matches, const
     const MapMatch& match = matches[i];
     const Eigen::Vector3d x = pose.cam_from_reference * match.X;
     if (!pose.inliers[i] || x.z() <= 0) continue;
-    const double iz = 1 / x.z(), sigma = match.sigma * pose.ray_scale;
+    const double iz = 1 / x.z();
     Eigen::Matrix<double, 2, 3> P;
     P << iz, 0, -x.x() * iz * iz, 0, iz, -x.y() * iz * iz;
     Eigen::Matrix<double, 2, 6> J;
     J << -P * pose.cam_from_reference.R * skew(match.X), P;
     const Eigen::Vector2d r = x.head<2>() * iz - match.ray.head<2>();
-    const double w = 1 / (sigma * sigma);
-    H += w * J.transpose() * J;
-    h += w * J.transpose() * match.by_readout;
-    g += w * J.transpose() * r;
-    own += w * match.by_readout.squaredNorm();
+    const Eigen::Matrix2d W = match.noise.whitening() / pose.ray_scale;
+    const Eigen::Matrix<double, 2, 6> WJ = W * J;
+    const Eigen::Vector2d by_readout = W * match.by_readout;
+    H += WJ.transpose() * WJ;
+    h += WJ.transpose() * by_readout;
+    g += WJ.transpose() * (W * r);
+    own += by_readout.squaredNorm();
     different += match.by_readout.squaredNorm();
     skewed += match.skew * match.skew;
-    pull += w * match.by_readout.dot(r);
+    pull += by_readout.dot(W * r);
   }
   // Turn rates are known to some tenths, and where both views are skewed alike that is all that differs.
   constexpr double kLeastDifference = 0.4, kFew = 16;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "framewise/geometry/depth_noise.h"
+#include "framewise/geometry/place_noise.h"
 #include "framewise/geometry/pose.h"
 #include "framewise/robust/ransac_options.h"
 
@@ -18,7 +19,7 @@ struct MapMatch {
   Eigen::Vector3d X;    // m
   Eigen::Matrix3d S;    // its covariance (m^2)
   Eigen::Vector3d ray;  // on the plane z = 1
-  double sigma;         // of the ray's coordinates
+  PlaceNoise noise;     // of the ray
   double z;             // measured depth (m); NaN where unknown
   double z_share = 1;   // what z has of a single pixel's noise
   // d (where the point is seen - ray) / d readout, on the plane.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -33,7 +34,7 @@ std::vector<MapMatch> matches_of(int count, std::uint32_t seed, double noise, bo
     const Eigen::Vector3d x = kTruth * match.X;
     match.ray = x / x.z() + noise * kSigma * Eigen::Vector3d(gaussian(random), gaussian(random), 0);
     match.S = 1e-10 * Eigen::Matrix3d::Identity();
-    match.sigma = kSigma;
+    match.noise.sigma = kSigma;
     match.z = with_depth ? x.z() + noise * DepthNoise().sigma(x.z()) * gaussian(random)
                          : std::numeric_limits<double>::quiet_NaN();
     matches.push_back(match);
@@ -77,6 +78,42 @@ TEST(RefineMapPose, ItsCovarianceIsThatOfItsErrors) {
   }
   EXPECT_GT(nees, 0.7);
   EXPECT_LT(nees, 1.4);
+}
+
+// Rays that slide along stripes, each in a direction of its own.
+std::vector<MapMatch> striped_matches(std::uint32_t seed, bool with_depth) {
+  auto matches = matches_of(150, seed, 1, with_depth);
+  std::mt19937 random(seed + 1000);
+  for (MapMatch& match : matches) {
+    const Eigen::Vector2d along =
+        Eigen::Rotation2Dd(M_PI * gaussian(random)).toRotationMatrix() * Eigen::Vector2d::UnitX();
+    constexpr double kFarther = 30;
+    match.ray.head<2>() += kFarther * kSigma * gaussian(random) * along;
+    match.noise = PlaceNoise::of(
+        kSigma * kSigma * (Eigen::Matrix2d::Identity() + kFarther * kFarther * along * along.transpose()));
+  }
+  return matches;
+}
+
+TEST(RefineMapPose, ARayOfAStripeCountsForWhatItTells) {
+  for (const bool with_depth : {false, true}) {
+    double nees = 0, squares = 0, round_squares = 0;
+    constexpr int kRuns = 60;
+    for (int run = 0; run < kRuns; ++run) {
+      auto matches = striped_matches(50 + run, with_depth);
+      const MapPose pose = refine_map_pose(matches, kTruth, {});
+      Vector6d error;
+      error << so3_log(pose.cam_from_reference.R.transpose() * kTruth.R),
+          kTruth.t - pose.cam_from_reference.t;
+      nees += error.dot(pose.covariance.inverse() * error) / 6 / kRuns;
+      squares += error.head<3>().squaredNorm();
+      for (MapMatch& match : matches) match.noise.shape.setIdentity();
+      round_squares += std::pow(angle(refine_map_pose(matches, kTruth, {}).cam_from_reference), 2);
+    }
+    EXPECT_GT(nees, 0.7);
+    EXPECT_LT(nees, 1.4);
+    EXPECT_LT(squares, 0.1 * round_squares);
+  }
 }
 
 TEST(RefineMapPose, ADepthThatDisagreesLeavesItsRay) {

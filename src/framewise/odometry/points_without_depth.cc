@@ -24,8 +24,8 @@ std::vector<TrackedPoint> look_for_depth(LocalMap& map, const Placed& placed, co
         point.variance < std::pow(kWellKnown * point.inverse_z, 2))
       continue;
     const Pose cam_from_host = cam_from_world * map.at(ref.keyframe).world_from_cam;
-    take_in(point, placed.matches[i].ray, std::max(kSurePx, placed.points[i].sigma_px) / focal, cam_from_host,
-            kMaxErrorPx / focal);
+    take_in(point, placed.matches[i].ray, std::max(kSurePx, placed.points[i].noise_px.sigma) / focal,
+            cam_from_host, kMaxErrorPx / focal);
   }
   std::vector<int> newest;
   for (int id = std::max(map.first_id(), map.newest_id() + 1 - kBack); id <= map.newest_id(); ++id)

@@ -73,8 +73,8 @@ ResidualChanges PoseErrors::changes_since_last(const std::vector<PlacedBy>& poin
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PlacedBy& point = points[i];
     if (!earlier[i]) continue;
-    ray += (point.ray_residual - earlier[i]->residual.head<2>()).squaredNorm() /
-           (4 * point.ray_sigma * point.ray_sigma);
+    const Eigen::Vector2d change = point.ray_residual - earlier[i]->residual.head<2>();
+    ray += (point.ray_noise.whitening() * change).squaredNorm() / 4;
     ++rays;
     if (!(point.z_sigma > 0) || !earlier[i]->by_error.col(2).any()) continue;
     z += std::pow((point.z_residual - earlier[i]->residual.z()) / point.z_sigma, 2) / 2;
@@ -102,20 +102,23 @@ void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>&
     const Eigen::Vector3d x_in_world = world_from_cam * point.x_in_cam;
     Matrix36 J;
     J << M * cam_from_world * skew(x_in_world), -M * cam_from_world;
-    const double ray = point.ray_sigma * point.ray_sigma, z = point.z_sigma * point.z_sigma;
-    const Eigen::Matrix3d shown = Eigen::Vector3d(ray, ray, z).asDiagonal();
+    const double z = point.z_sigma * point.z_sigma;
+    const auto noise_of = [&](double ray_share, double z_share) {
+      Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
+      C.topLeftCorner<2, 2>() = ray_share * point.ray_noise.covariance();
+      C(2, 2) = z_share * z;
+      return C;
+    };
+    const Eigen::Matrix3d shown = noise_of(1, 1);
     const Eigen::Matrix3d S = M * point.S * M.transpose();
     const Matrix63 JtW = J.transpose() * information(shown + S, z > 0);
     H += JtW * J;
     const int host = point.ref.keyframe - first_id_;
     if (host >= 0 && host < count) by_host[host] += JtW * J;
     const double new_ray = std::min(changes.ray, ray_tails), new_z = std::min(changes.z, z_tails);
-    const Eigen::Vector3d likeness(alike.ray, alike.ray, alike.z);
-    const Eigen::Vector3d anew(new_ray * ray, new_ray * ray, new_z * z);
-    const Eigen::Vector3d all(ray_tails * ray, ray_tails * ray, z_tails * z);
-    const Eigen::Matrix3d own = likeness.cwiseProduct(anew).asDiagonal();
-    Eigen::Matrix3d again = alike.z * S;
-    again += likeness.cwiseProduct(all - anew).asDiagonal();
+    const Eigen::Matrix3d own = noise_of(alike.ray * new_ray, alike.z * new_z);
+    const Eigen::Matrix3d again =
+        alike.z * S + noise_of(alike.ray * (ray_tails - new_ray), alike.z * (z_tails - new_z));
     noise += JtW * own * JtW.transpose();
     repeated += JtW * again * JtW.transpose();
     gains.push_back(

@@ -49,7 +49,7 @@ Placed place_by(const std::vector<MappedPoint>& points, const std::vector<Pose>&
     match.X = before_from_host * point.mapped;
     match.S = before_from_host.R * point.covariance * before_from_host.R.transpose();
     match.ray = x / x.z() + kRaySigma * Eigen::Vector3d(random.normal(), random.normal(), 0);
-    match.sigma = kRaySigma;
+    match.noise.sigma = kRaySigma;
     match.z = std::numeric_limits<double>::quiet_NaN();
     placed.matches.push_back(match);
     placed.points.push_back({point.ref, Eigen::Vector2d::Zero(), match.ray, 0.3});
@@ -114,7 +114,7 @@ std::vector<PlacedBy> residuals(bool anew, Random& random) {
     const Eigen::Vector3d x(same.uniform(-1.2, 1.2), same.uniform(-0.9, 0.9), 2);
     Random& source = anew ? random : same;
     const Eigen::Vector2d r(source.normal(), source.normal());
-    points.push_back({{0, i}, x, Eigen::Matrix3d::Zero(), 0.001 * r, 0.001});
+    points.push_back({{0, i}, x, Eigen::Matrix3d::Zero(), 0.001 * r, {0.001}});
   }
   return points;
 }

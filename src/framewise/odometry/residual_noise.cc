@@ -29,7 +29,7 @@ Likeness likeness_of_neighbours(const std::vector<PlacedBy>& points) {
     };
     const Eigen::Vector3d& x = point.x_in_cam;
     Eigen::Vector3d r;
-    r << point.ray_residual / point.ray_sigma,
+    r << point.ray_noise.whitening() * point.ray_residual,
         point.z_sigma > 0 ? point.z_residual / std::hypot(point.z_sigma, std::sqrt(point.S(2, 2))) : 0;
     sums[cell(x.x() / x.z()) * kCells + cell(x.y() / x.z())] += r;
     squares += r.array().square();
@@ -45,8 +45,7 @@ ResidualTails residual_tails(const std::vector<PlacedBy>& points) {
   for (const PlacedBy& point : points) {
     const Eigen::Matrix3d M = measured_by_position(point);
     const Eigen::Matrix3d S = M * point.S * M.transpose();
-    const Eigen::Matrix2d C =
-        S.topLeftCorner<2, 2>() + point.ray_sigma * point.ray_sigma * Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d C = S.topLeftCorner<2, 2>() + point.ray_noise.covariance();
     ray += point.ray_residual.dot(C.inverse() * point.ray_residual) / 2;
     if (!(point.z_sigma > 0)) continue;
     z += point.z_residual * point.z_residual / (point.z_sigma * point.z_sigma + S(2, 2));

@@ -15,7 +15,7 @@ struct PlacedBy {
   Eigen::Vector3d x_in_cam;      // where the map has it (m)
   Eigen::Matrix3d S;             // its covariance there, its host's pose apart (m^2)
   Eigen::Vector2d ray_residual;  // on the plane z = 1: where the map has it - where it is seen
-  double ray_sigma;              // of that, as the residuals show it
+  PlaceNoise ray_noise;          // of that, as the residuals show it
   double z_residual = 0;         // likewise of its depth (m)
   double z_sigma = 0;            // 0: its depth counted for nothing
 };

@@ -26,7 +26,7 @@ std::vector<PlacedBy> points_with(double sigmas, bool alike, std::uint64_t seed)
                         {2 * x, 2 * y, 2},
                         Eigen::Matrix3d::Zero(),
                         0.001 * sigmas * (alike ? shared : own),
-                        0.001,
+                        {0.001},
                         0.01 * sigmas * (alike ? shared_z : own_z),
                         0.01});
     }

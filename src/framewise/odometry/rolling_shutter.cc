@@ -53,7 +53,7 @@ void ReadoutEstimate::add(double correction, double information, double longest)
   information_ = kept * all;
 
   constexpr double kLeast = 0.004;  // s: such a skew is below what rays are certain to
-  constexpr double kSure = 3;       // standard errors, as said or as the estimates scatter
+  constexpr double kSure = 4;       // standard errors, as said or as the estimates scatter
   const double error = std::max(std::sqrt(scatter_) / information_, 1 / std::sqrt(information_));
   const bool was_rolling = is_rolling_;
   is_rolling_ = std::abs(estimate_) > (was_rolling ? kLeast / 2 : std::max(kLeast, kSure * error));

@@ -108,13 +108,17 @@ SeenByBoth add_two_views(LocalMap& map, std::shared_ptr<const MapFrame> frame2, 
     point.inverse_z /= length;
     point.variance /= length * length;
     const FeaturePair& pair = two_views.seen_by[i];
-    point.views.push_back(
-        {viewer_id, pair.ray2, std::max(options.least_sigma_px, pair.sigma_px) / std::abs(camera.fx),
-         std::numeric_limits<double>::quiet_NaN(), pair.ray2, row_of(camera, pair.pixel2.y())});
+    const PlaceNoise noise = pair.noise_px.at_least(options.least_sigma_px);
+    point.views.push_back({viewer_id,
+                           pair.ray2,
+                           {noise.sigma / std::abs(camera.fx), noise.shape},
+                           std::numeric_limits<double>::quiet_NaN(),
+                           pair.ray2,
+                           row_of(camera, pair.pixel2.y())});
     const PointRef ref{host_id, static_cast<int>(host.points.size())};
     host.points.push_back(std::move(point));
-    seen.by_first.push_back({ref, host.frame->pixel(pair.feature1), host.frame->rays[pair.feature1], 1});
-    seen.by_second.push_back({ref, pair.pixel2, pair.ray2, pair.sigma_px});
+    seen.by_first.push_back({ref, host.frame->pixel(pair.feature1), host.frame->rays[pair.feature1], {}});
+    seen.by_second.push_back({ref, pair.pixel2, pair.ray2, pair.noise_px});
   }
   return seen;
 }

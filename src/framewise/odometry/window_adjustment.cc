@@ -56,19 +56,21 @@ ViewTerms view_terms(const MapPoint& point, double inverse_z, double lens, const
   const Eigen::Vector3d X = viewer_from_world * (host * X_host - viewer.t);
   terms.is_in_front = X.z() > 1e-3;
   if (!terms.is_in_front) return terms;
-  const double iz = 1 / X.z(), weight = 1 / view.sigma;
+  const double iz = 1 / X.z();
+  Eigen::Matrix3d W = Eigen::Matrix3d::Identity();
+  W.topLeftCorner<2, 2>() = view.noise.whitening();
   const bool has_depth = view.z > 0;
   const double depth_weight = has_depth ? 1 / noise.sigma(view.z) : 0;
-  terms.r << weight * (X.x() * iz - seen.x()), weight * (X.y() * iz - seen.y()),
-      has_depth ? depth_weight * (X.z() - view.z) : 0;
+  terms.r << X.x() * iz - seen.x(), X.y() * iz - seen.y(), has_depth ? depth_weight * (X.z() - view.z) : 0;
+  terms.r = (W * terms.r).eval();
   Eigen::Matrix3d P;
-  P << weight * iz, 0, -weight * X.x() * iz * iz, 0, weight * iz, -weight * X.y() * iz * iz, 0, 0,
-      depth_weight;
+  P << iz, 0, -X.x() * iz * iz, 0, iz, -X.y() * iz * iz, 0, 0, depth_weight;
+  P = (W * P).eval();
   const Eigen::Matrix3d viewer_from_host = viewer_from_world * host.R;
   terms.J_host << -P * viewer_from_host * skew(X_host), P * viewer_from_world;
   terms.J_viewer << P * skew(X), -P * viewer_from_world;
   terms.J_inverse_z = -P * viewer_from_host * X_host / inverse_z;
-  terms.J_lens = P * viewer_from_host * host_by_lens / inverse_z - weight * seen_by_lens;
+  terms.J_lens = P * viewer_from_host * host_by_lens / inverse_z - W * seen_by_lens;
   return terms;
 }
 

@@ -27,7 +27,7 @@ LocalMap exact_map(bool with_depth) {
     if (with_depth) point.measured = 1 / z, point.information = 1e5;
     for (int k = 1; k < kKeyframes; ++k) {
       const Eigen::Vector3d x = true_pose(k).inverse() * (z * ray);
-      point.views.push_back({k, x / x.z(), 1e-3, with_depth ? x.z() : kUnknown, x / x.z(), 0});
+      point.views.push_back({k, x / x.z(), {1e-3}, with_depth ? x.z() : kUnknown, x / x.z(), 0});
     }
     map.at(0).points.push_back(point);
   }
