@@ -392,11 +392,11 @@ void MapTracker::adjust() {
   WindowOptions options;
   options.depth_noise = options_.depth_noise;
   // With depth, a lens that is free only takes a part of what is a motion forwards.
-  const bool has_depth = map_.newest().frame->has_depth;
-  const bool learns_lens = options_.map.learn_lens && camera_.model == CameraModel::kPinhole && !has_depth;
-  if (learns_lens) options.lens_information = lens_.information_for_window(has_depth);
+  const bool learns_lens =
+      options_.map.learn_lens && camera_.model == CameraModel::kPinhole && !map_.newest().frame->has_depth;
+  if (learns_lens) options.lens_information = lens_.information_for_window();
   const WindowSummary window = adjust_window(map_, moving, still, options);
-  if (const auto learned = learns_lens ? lens_.take_in(window, camera_, has_depth) : std::nullopt) {
+  if (const auto learned = learns_lens ? lens_.take_in(window, camera_) : std::nullopt) {
     map_.set_camera(camera_, *learned);
     camera_ = *learned;
   }

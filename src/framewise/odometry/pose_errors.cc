@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/odometry/pose_errors.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
@@ -44,6 +45,41 @@ Matrix6d xi_by_camera(const Pose& world_from_cam) {
   J.bottomLeftCorner<3, 3>() = skew(world_from_cam.t) * world_from_cam.R;
   J.bottomRightCorner<3, 3>().setIdentity();
   return J;
+}
+
+// d (ray, depth of the point) / d xi of the camera.
+Matrix36 measured_by_camera(const PlacedBy& point, const Pose& world_from_cam) {
+  const Eigen::Matrix3d M = measured_by_position(point), cam_from_world = world_from_cam.R.transpose();
+  Matrix36 J;
+  J << M * cam_from_world * skew(world_from_cam * point.x_in_cam), -M * cam_from_world;
+  return J;
+}
+
+// The covariance of a camera as its residuals show it one by one: where those of the points that say most are
+// larger or smaller than the others. gains: JtW of each; inverse: of their information.
+//   MacKinnon, White, Some heteroskedasticity-consistent covariance matrix estimators with improved finite
+//   sample properties, Journal of Econometrics 1985 (HC3).
+template <class Gains>
+Matrix6d shown_by_residuals(const std::vector<PlacedBy>& points, const Gains& gains, const Matrix6d& inverse,
+                            const Pose& world_from_cam) {
+  Matrix6d sum = Matrix6d::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Matrix63& JtW = gains[i].by_error;
+    Eigen::Vector3d residual = gains[i].residual;
+    if (!(points[i].z_sigma > 0)) residual.z() = 0;
+    const Eigen::Matrix3d leverage = measured_by_camera(points[i], world_from_cam) * inverse * JtW;
+    const Vector6d pull = JtW * (Eigen::Matrix3d::Identity() - leverage).inverse() * residual;
+    sum += pull * pull.transpose();
+  }
+  return symmetric(inverse * sum * inverse.transpose());
+}
+
+// A with A C A' = the mean of C and of another covariance.
+Matrix6d to_mean(const Matrix6d& C, const Matrix6d& other) {
+  const Eigen::LLT<Matrix6d> from(C), to(0.5 * (C + other));
+  if (from.info() != Eigen::Success || to.info() != Eigen::Success) return Matrix6d::Identity();
+  const Matrix6d L = to.matrixL();
+  return L * Matrix6d(from.matrixL()).inverse();
 }
 
 }  // namespace
@@ -91,7 +127,6 @@ void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>&
   const ResidualChanges changes = changes_since_last(points, earlier);
   const auto [ray_tails, z_tails] = residual_tails(points);
   const Likeness alike = likeness_of_neighbours(points);
-  const Eigen::Matrix3d cam_from_world = world_from_cam.R.transpose();
   const auto count = static_cast<int>(keyframes_.rows() / 6);
 
   Matrix6d H = Matrix6d::Zero(), noise = Matrix6d::Zero(), repeated = Matrix6d::Zero();
@@ -99,9 +134,7 @@ void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>&
   std::vector<Gain> gains;
   for (const PlacedBy& point : points) {
     const Eigen::Matrix3d M = measured_by_position(point);
-    const Eigen::Vector3d x_in_world = world_from_cam * point.x_in_cam;
-    Matrix36 J;
-    J << M * cam_from_world * skew(x_in_world), -M * cam_from_world;
+    const Matrix36 J = measured_by_camera(point, world_from_cam);
     const double z = point.z_sigma * point.z_sigma;
     const auto noise_of = [&](double ray_share, double z_share) {
       Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
@@ -129,6 +162,10 @@ void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>&
   const Matrix6d inverse = lu.inverse();
   noise = inverse * noise * inverse.transpose();
   repeated = inverse * repeated * inverse.transpose();
+  const Matrix6d shown = shown_by_residuals(points, gains, inverse, world_from_cam);
+  const Matrix6d A = to_mean(noise + repeated, shown);
+  noise = A * noise * A.transpose();
+  repeated = A * repeated * A.transpose();
 
   CameraErrors now;
   now.with_keyframes.setZero(6, keyframes_.cols());
@@ -144,7 +181,7 @@ void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>&
 
   Matrix6d by_points = Matrix6d::Zero();  // what both cameras have of the same points' errors
   for (std::size_t i = 0; i < gains.size(); ++i) {
-    gains[i].by_error = inverse * gains[i].by_error;
+    gains[i].by_error = A * inverse * gains[i].by_error;
     if (!earlier[i]) continue;
     const Eigen::Matrix3d& both =
         gains[i].repeated.trace() < earlier[i]->repeated.trace() ? gains[i].repeated : earlier[i]->repeated;
