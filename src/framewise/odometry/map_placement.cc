@@ -18,10 +18,6 @@ constexpr double kMoreThanChance = 0.33, kFewWillDo = 0.05, kHalf = 0.5;
 // How many levels above their own patches are looked for from afar, and how many patches.
 constexpr int kFar = 3, kFew = 150;
 
-double shown_noise_px(const Placed& placed, const MapOptions& options) {
-  return placed.pose.ray_scale * options.least_sigma_px;
-}
-
 MapMatch match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, const PlaceNoise& noise_px,
                   const Shutter& shutter, const MapView& view) {
   const Keyframe& host = view.map.at(ref.keyframe);
@@ -101,6 +97,10 @@ std::optional<FirstPose> find_first_pose(const MapFrame& frame, const Pose& pred
 Shutter shutter_of(const Pose& cam_from_before, double time, const MapView& view) {
   return {view.options.map.unskew ? view.readout : 0,
           view.turns.rate(cam_from_before.R, view.world_from_before.R, view.time_before, time)};
+}
+
+double shown_noise_px(const Placed& placed, const MapOptions& options) {
+  return placed.pose.ray_scale * options.least_sigma_px;
 }
 
 bool is_credible(const Placed& placed, const MapOptions& options, double least_found) {
@@ -193,8 +193,9 @@ std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapVie
   const double least_found = is_credible(placed, options) ? kMoreThanChance : kHalf;
   if (is_credible(placed, options, kFewWillDo))
     placed = look_nearby(frame, placed.pose.cam_from_reference, keyframes, view);
-  constexpr double kDoubtfulPx = 0.4;  // blur, or a wrong pose
-  if (is_credible(placed, options, kHalf) && shown_noise_px(placed, options) < kDoubtfulPx) return placed;
+  constexpr double kDoubtfulPx = 0.4, kMoreThanUsual = 1.5;  // blur, or a wrong pose
+  const double doubtful = std::max(kDoubtfulPx, kMoreThanUsual * view.usual_noise_px);
+  if (is_credible(placed, options, kHalf) && shown_noise_px(placed, options) < doubtful) return placed;
   const bool is_found = is_credible(placed, options, least_found);
   auto by_features = place_by_features(frame, predicted, keyframes, view);
   if (is_found) return by_features && explains_better(*by_features, placed) ? by_features : placed;

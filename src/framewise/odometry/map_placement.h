@@ -33,6 +33,7 @@ struct MapView {
   double readout;  // of the shutter (s)
   Pose world_from_before;
   double time_before;
+  double usual_noise_px = 0;  // of the rays of the frames placed lately
 };
 
 // A frame that is predicted to be at world_from_cam. Patches are looked for where that foretells them, a few
@@ -62,6 +63,9 @@ bool is_credible(const Placed& placed, const MapOptions& options, double least_f
 // inverse variances. Patches far from where they were expected are drawn to what looks alike, and their pose
 // is one that half of them agree with to a pixel; the true one has most agree to a tenth.
 bool explains_better(const Placed& one, const Placed& other);
+
+// Noise of its rays that its residuals show (pixels).
+double shown_noise_px(const Placed& placed, const MapOptions& options);
 
 // The inliers, as they count for the errors of the pose.
 std::vector<PlacedBy> placed_by(const Placed& placed, const DepthNoise& noise);

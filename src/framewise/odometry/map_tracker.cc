@@ -79,7 +79,8 @@ MapTrack MapTracker::start(std::shared_ptr<MapFrame> frame) {
 }
 
 MapView MapTracker::view() const {
-  return {map_, camera_, options_, turns_, readout_.seconds(), world_from_before_, time_before_};
+  return {map_,         camera_,        options_, turns_, readout_.seconds(), world_from_before_,
+          time_before_, usual_noise_px_};
 }
 
 // Until a motion is seen that tells how far things are, the camera turns where it is.
@@ -225,6 +226,9 @@ void MapTracker::follow_errors(const Placed& placed) {
   } else {
     errors_.placed(world_from_cam, placed_by(placed, options_.depth_noise));
     errors_.drawn_to_prior(world_from_cam, motion_.draw());
+    constexpr double kMemory = 0.1;
+    const double noise = shown_noise_px(placed, options_.map);
+    usual_noise_px_ += (usual_noise_px_ > 0 ? kMemory : 1) * (noise - usual_noise_px_);
   }
   foretold_.setZero();
   missed_in_a_row_ = 0;

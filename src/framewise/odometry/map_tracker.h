@@ -69,6 +69,7 @@ class MapTracker {
   OdometryOptions options_;
   PriorKnowledge known_;
   LocalMap map_;
+  double usual_noise_px_ = 0;  // of placed frames
   MotionFilter motion_;
   MotionFilter steady_{false};  // as it was at the last measured frame: vehicles do not stop in the dark
   Pose world_from_before_, world_from_earlier_;  // the frame before, and the one before that
