@@ -10,6 +10,7 @@ namespace framewise {
 
 PlaceNoise PlaceNoise::of(const Eigen::Matrix2d& covariance) {
   const double square = covariance.trace() / 2;
+  if (!(square > 0)) return {0, Eigen::Matrix2d::Identity()};  // of two images that are the same
   return {std::sqrt(square), covariance / square};
 }
 

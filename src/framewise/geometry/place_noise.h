@@ -12,6 +12,7 @@ struct PlaceNoise {
   double sigma = 1;                                     // root mean square of both directions
   Eigen::Matrix2d shape = Eigen::Matrix2d::Identity();  // of trace 2
 
+  // None at all where the covariance is zero, or less by rounding.
   static PlaceNoise of(const Eigen::Matrix2d& covariance);
   Eigen::Matrix2d covariance() const { return sigma * sigma * shape; }
   // Where no direction is surer than `least`.

@@ -15,6 +15,14 @@ TEST(PlaceNoise, IsItsCovarianceWhoseShapeHasTraceTwo) {
   EXPECT_NEAR(noise.shape.trace(), 2, 1e-12);
 }
 
+TEST(PlaceNoise, OfTheSameImageTwiceIsTheLeastThereIs) {
+  for (const double rounding : {0.0, -1e-18}) {
+    const PlaceNoise noise = PlaceNoise::of(rounding * Eigen::Matrix2d::Identity());
+    EXPECT_EQ(noise.sigma, 0);
+    EXPECT_TRUE(noise.at_least(0.1).covariance().isApprox(0.01 * Eigen::Matrix2d::Identity(), 1e-12));
+  }
+}
+
 TEST(PlaceNoise, WhiteningMakesItOne) {
   const Eigen::Matrix2d W = PlaceNoise::of(kStriped).whitening();
   EXPECT_TRUE((W * kStriped * W.transpose()).isIdentity(1e-9));
