@@ -180,6 +180,32 @@ std::optional<Placed> place_by_features(MapFrame& frame, const Pose& predicted,
   return is_credible(placed, options, kFewWillDo) ? std::optional(placed) : std::nullopt;
 }
 
+std::uint64_t seed_of_pair(const MapFrame& frame, const MapView& view) {
+  return view.options.seed + 0xd1b54a32d192ed03ull * (frame.index + 1);
+}
+
+std::vector<int> seen_from(const Pose& world_from_cam, const MapView& view) {
+  const MapOptions& options = view.options.map;
+  return keyframes_in_view(view.map, world_from_cam, view.camera, options.newest, options.others);
+}
+
+std::vector<int> seen_from(const Placed& placed, const MapView& view) {
+  return seen_from(view.world_from_before * placed.pose.cam_from_reference.inverse(), view);
+}
+
+// A pose from an earlier frame, as from the one before; without points of the map.
+Placed as_placed(const MapPose& pair, const MapFrame& frame, const Pose& world_from_earlier,
+                 const MapView& view) {
+  Placed placed;
+  placed.pose = pair;
+  placed.pose.cam_from_reference =
+      pair.cam_from_reference * world_from_earlier.inverse() * view.world_from_before;
+  placed.pose.inliers.clear();
+  placed.shutter = shutter_of(placed.pose.cam_from_reference, frame.time, view);
+  placed.matched = static_cast<int>(pair.inliers.size());
+  return placed;
+}
+
 }  // namespace
 
 std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapView& view,
@@ -206,40 +232,41 @@ std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapVie
 std::optional<Placed> place_by_pair(const MapFrame& frame, FrameView& frame_view, FrameView& earlier,
                                     const Pose& world_from_earlier, const Pose& predicted,
                                     const MapView& view) {
-  const MapOptions& map_options = view.options.map;
-  const auto in_view = [&](const Pose& world_from_cam) {
-    return keyframes_in_view(view.map, world_from_cam, view.camera, map_options.newest, map_options.others);
-  };
   FramePairOptions options;
   options.odometry = view.options;
-  options.odometry.ransac.seed = view.options.seed + 0xd1b54a32d192ed03ull * (frame.index + 1);
+  options.odometry.ransac.seed = seed_of_pair(frame, view);
   const Pose prior = predicted.inverse() * world_from_earlier;
-  std::optional<MapPose> pair;
-  bool is_guess = false;
-  if (!earlier.frame().depth.empty()) {
-    pair = pose_from_pair(earlier, frame_view, prior, view.camera, options);
-  } else {
-    const auto known = known_depths(view.map, in_view(world_from_earlier), world_from_earlier, view.camera);
-    if (auto found = pose_from_views(earlier, frame_view, prior, known, view.camera, options.odometry.ransac))
-      pair = std::move(found->pose), is_guess = found->is_guess;
-  }
+  const auto pair = pose_from_pair(earlier, frame_view, prior, view.camera, options);
   if (!pair) return std::nullopt;
-  Placed placed;
-  placed.pose = *pair;
-  placed.pose.cam_from_reference =
-      pair->cam_from_reference * world_from_earlier.inverse() * view.world_from_before;
-  placed.pose.inliers.clear();
-  placed.shutter = shutter_of(placed.pose.cam_from_reference, frame.time, view);
-  placed.matched = static_cast<int>(pair->inliers.size());
-  const auto keyframes = in_view(view.world_from_before * placed.pose.cam_from_reference.inverse());
+  const Placed placed = as_placed(*pair, frame, world_from_earlier, view);
+  const auto in_map =
+      look_nearby(frame, placed.pose.cam_from_reference, seen_from(placed, view), view, kFewWillDo);
+  return is_credible(in_map, view.options.map, kFewWillDo) ? in_map : placed;
+}
+
+std::optional<Placed> place_by_views(const MapFrame& frame, FrameView& frame_view, FrameView& earlier,
+                                     const Pose& world_from_earlier, const Pose& predicted,
+                                     const MapView& view) {
+  const MapOptions& map_options = view.options.map;
+  const auto known =
+      earlier.frame().depth.empty()
+          ? known_depths(view.map, seen_from(world_from_earlier, view), world_from_earlier, view.camera)
+          : known_depths(earlier.described(view.camera), view.camera, view.options);
+  RansacOptions ransac = view.options.ransac;
+  ransac.seed = seed_of_pair(frame, view);
+  const Pose prior = predicted.inverse() * world_from_earlier;
+  const auto found = pose_from_views(earlier, frame_view, prior, known, view.camera, ransac);
+  if (!found) return std::nullopt;
+  const Placed placed = as_placed(found->pose, frame, world_from_earlier, view);
+  const auto keyframes = seen_from(placed, view);
   Pose from = placed.pose.cam_from_reference;
-  if (is_guess) {
+  if (found->is_guess) {
     const Placed far = place_near(frame, from, keyframes, kFar, kFew, view);
     if (is_credible(far, map_options)) from = far.pose.cam_from_reference;
   }
-  const Placed refined = look_nearby(frame, from, keyframes, view, kFewWillDo);
-  if (is_credible(refined, map_options, kFewWillDo)) return refined;
-  return is_guess ? std::nullopt : std::optional(placed);
+  const Placed in_map = look_nearby(frame, from, keyframes, view, kFewWillDo);
+  if (is_credible(in_map, map_options, kFewWillDo)) return in_map;
+  return found->is_guess ? std::nullopt : std::optional(placed);
 }
 
 std::vector<PlacedBy> placed_by(const Placed& placed, const DepthNoise& noise) {

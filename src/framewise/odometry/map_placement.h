@@ -43,12 +43,18 @@ struct MapView {
 std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapView& view,
                             std::optional<Placed>& unsure);
 
-// Where the map has nothing that a frame shows: by what it has in common with an earlier frame
+// Where the map has nothing that a frame shows: by what it has in common with an earlier frame that has depth
 // (frame_pair.h), and, from there, with the map all the same. Without points where only the pair tells the
 // pose.
 std::optional<Placed> place_by_pair(const MapFrame& frame, FrameView& frame_view, FrameView& earlier,
                                     const Pose& world_from_earlier, const Pose& predicted,
                                     const MapView& view);
+
+// The same where the earlier frame has no depth, or too little of it where both see anything: by their rays
+// and the depths that are known (view_pair.h).
+std::optional<Placed> place_by_views(const MapFrame& frame, FrameView& frame_view, FrameView& earlier,
+                                     const Pose& world_from_earlier, const Pose& predicted,
+                                     const MapView& view);
 
 // By patches alone: points of some keyframes, at most max_points, each looked for from `coarser` levels above
 // its own, and the pose refined over what is found.

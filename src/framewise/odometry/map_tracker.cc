@@ -15,6 +15,7 @@
 namespace framewise {
 namespace {
 
+constexpr int kUnderWay = 3;  // frames measured in a row: not by chance
 constexpr double kUnmeasured = std::numeric_limits<double>::quiet_NaN();
 
 // Of the camera's orientation (its own axes) and position (the world's) from that of cam2_from_cam1.
@@ -37,6 +38,8 @@ MapTracker::MapTracker(const Camera& camera, const OdometryOptions& options, Pri
       map_(options.map.keyframes),
       motion_(options.map.shrink) {}
 
+bool MapTracker::is_under_way() const { return measured_in_a_row_ >= kUnderWay; }
+
 MapTrack MapTracker::add(std::shared_ptr<MapFrame> frame) {
   if (map_.empty()) return start(std::move(frame));
   if (!has_points_) return start_without_depth(std::move(frame));
@@ -44,8 +47,11 @@ MapTrack MapTracker::add(std::shared_ptr<MapFrame> frame) {
   const auto placed = find(frame, frame_view);
   measured_in_a_row_ = placed ? measured_in_a_row_ + 1 : 0;
   if (!placed) return missed(std::move(frame));
+  // Back from another map, which did not know where it was: a step that no two frames tell.
+  const bool is_jump = meanwhile_ && meanwhile_->is_under_way();
   meanwhile_.reset();
   MapTrack track = measured(std::move(frame), *placed);
+  if (is_jump) track.step.status = Status::kPredicted;
   last_measured_ = std::move(frame_view);
   world_from_measured_ = track.world_from_cam;
   return track;
@@ -58,12 +64,14 @@ std::optional<Placed> MapTracker::find(const std::shared_ptr<MapFrame>& frame, F
   const bool was_missed = time_before_ > time_measured_;
   if (was_missed)
     if (const auto placed = place(*frame, steady_.predict(frame->time), view(), unsure)) return placed;
-  if (const auto placed =
-          place_by_pair(*frame, frame_view, last_measured_, world_from_measured_, predicted, view()))
-    return placed;
+  const auto by = [&](auto* place_by) {
+    return place_by(*frame, frame_view, last_measured_, world_from_measured_, predicted, view());
+  };
+  const bool has_depth = !last_measured_.frame().depth.empty();
+  if (const auto placed = by(has_depth ? place_by_pair : place_by_views)) return placed;
   // A motion that goes on as foretold makes up for what the patches leave to chance.
-  constexpr int kUnderWay = 3;
-  return measured_in_a_row_ >= kUnderWay ? unsure : std::nullopt;
+  if (unsure && is_under_way()) return unsure;
+  return has_depth ? by(place_by_views) : std::nullopt;
 }
 
 MapTrack MapTracker::start(std::shared_ptr<MapFrame> frame) {
@@ -241,36 +249,42 @@ MapTrack MapTracker::missed(std::shared_ptr<MapFrame> frame) {
   const Matrix6d departure = missed_in_a_row_ * missed_in_a_row_ * motion_.departure();
   motion_.coast(frame->time);
   world_from_before_ = motion_.predict(frame->time);
-  const bool is_followed = follow_meanwhile(frame);
+  const auto meanwhile = follow_meanwhile(frame);
   track.world_from_cam = world_from_before_;
-  track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_earlier;
-  track.step.status =
-      frame->time - time_measured_ <= options_.map.max_coast ? Status::kPredicted : Status::kLost;
+  const bool is_late = frame->time - time_measured_ > options_.map.max_coast;
   errors_.moved(track.world_from_cam, departure);
   foretold_ += departure;
-  track.step.covariance = errors_.step_covariance(world_from_earlier, track.world_from_cam);
+  if (meanwhile && meanwhile_->is_under_way()) {
+    track.step = meanwhile->step;
+    track.seen = meanwhile->seen;
+  } else {
+    const bool is_end = meanwhile && meanwhile_->measured_in_a_row_ + 1 == kUnderWay;  // of what is one part
+    track.step.status = is_late || is_end ? Status::kLost : Status::kPredicted;
+    track.step.covariance = errors_.step_covariance(world_from_earlier, track.world_from_cam);
+  }
+  track.step.cam2_from_cam1 = track.world_from_cam.inverse() * world_from_earlier;
   time_before_ = frame->time;
   // What is not found again is given up for what is seen instead.
-  if (track.step.status == Status::kLost && is_followed) go_on_as_meanwhile();
+  if (is_late && meanwhile) go_on_as_meanwhile();
   remember(*frame, track.world_from_cam);
   return track;
 }
 
 // A camera that does not see the map may well see how it moves. Whether it does: what is no place (noise, a
 // wall) is not found again in the next frame.
-bool MapTracker::follow_meanwhile(std::shared_ptr<MapFrame> frame) {
+std::optional<MapTrack> MapTracker::follow_meanwhile(std::shared_ptr<MapFrame> frame) {
   if (meanwhile_) {
     // It may keep the frame and let its depth go, and be given up all the same.
     const MapTrack track = meanwhile_->add(std::make_shared<MapFrame>(*frame));
     if (track.step.status == Status::kRotationOnly) {
       world_from_before_.R = world_from_meanwhile_.R * track.world_from_cam.R;
-      return true;
+      return track;
     }
     if (is_measured(track.step.status)) {
       world_from_before_ = world_from_meanwhile_ * track.world_from_cam;
       motion_ = meanwhile_->motion_;
       motion_.correct(world_from_meanwhile_);
-      return true;
+      return track;
     }
   }
   meanwhile_ = std::make_unique<MapTracker>(camera_, options_, known_);
@@ -282,7 +296,7 @@ bool MapTracker::follow_meanwhile(std::shared_ptr<MapFrame> frame) {
   world_from_meanwhile_ = world_from_before_;
   meanwhile_->motion_ = motion_;
   meanwhile_->motion_.correct(world_from_meanwhile_.inverse());
-  return false;
+  return std::nullopt;
 }
 
 void MapTracker::go_on_as_meanwhile() {

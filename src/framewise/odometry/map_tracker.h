@@ -52,7 +52,8 @@ class MapTracker {
                                      const TwoViewStart& two_views) const;
   MapTrack measured(std::shared_ptr<MapFrame> frame, const Placed& placed);
   MapTrack missed(std::shared_ptr<MapFrame> frame);
-  bool follow_meanwhile(std::shared_ptr<MapFrame> frame);
+  std::optional<MapTrack> follow_meanwhile(std::shared_ptr<MapFrame> frame);
+  bool is_under_way() const;
   void go_on_as_meanwhile();
 
   MapView view() const;

@@ -60,6 +60,8 @@ TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2
   start.inliers = static_cast<int>(estimate->num_inliers);
   start.iterations = estimate->iterations;
   start.kind = TwoViewStart::Kind::kTurned;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (estimate->inliers[i]) start.agreeing.push_back(pairs[i]);
   if (estimate->kind != EstimateKind::kFull) return start;
   const double angle = median_parallax(estimate->cam2_from_cam1.R, x1, x2, estimate->inliers);
   if (angle < options.min_parallax_deg * M_PI / 180) return start;

@@ -33,8 +33,9 @@ struct TwoViewStart {
   Pose cam2_from_cam1;
   Matrix6d covariance = Matrix6d::Zero();  // of the tangent (rotation, translation), as Estimate has it
   int pairs = 0, inliers = 0, iterations = 0;
-  std::vector<MapPoint> points;      // hosted by camera 1,
-  std::vector<FeaturePair> seen_by;  // and where camera 2 has each
+  std::vector<FeaturePair> agreeing;  // with the motion, or the turn
+  std::vector<MapPoint> points;       // hosted by camera 1,
+  std::vector<FeaturePair> seen_by;   // and where camera 2 has each
 };
 
 // The first two views of a map.

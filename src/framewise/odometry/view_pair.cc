@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/odometry/view_pair.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <random>
+
+#include "framewise/geometry/so3.h"
 
 namespace framewise {
 namespace {
@@ -35,6 +39,47 @@ double weighted_median(std::vector<Vote>& votes) {
   return votes.back().log_length;
 }
 
+// A point of known depth, in camera 1 and in camera 2 but for the translation, and where camera 2 sees it.
+struct TurnedPoint {
+  Eigen::Vector3d X, turned, ray;
+  double relative_sigma, max_error;
+
+  bool agrees(const Eigen::Vector3d& t) const {
+    const Eigen::Vector3d x = turned + t;
+    return x.z() > 0 && (x.head<2>() / x.z() - ray.head<2>()).norm() < max_error + spread(t);
+  }
+  // How far off its image is where its depth is by a sigma.
+  double spread(const Eigen::Vector3d& t) const { return relative_sigma * t.norm() / turned.z(); }
+  // Of (turned + t), 0 where the ray is.
+  Eigen::Matrix<double, 2, 3> rows(const Eigen::Vector3d& t) const {
+    Eigen::Matrix<double, 2, 3> A;
+    A << 1, 0, -ray.x(), 0, 1, -ray.y();
+    return A / std::max(0.1 * turned.z(), turned.z() + t.z());
+  }
+  double weight(const Eigen::Vector3d& t) const {
+    constexpr double kSigma = 0.5;  // of max_error
+    return 1 / (std::pow(kSigma * max_error, 2) + std::pow(spread(t), 2));
+  }
+};
+
+// The translation that fits best; its own depths and noise depend on it a little.
+std::optional<Eigen::Vector3d> solve(const std::vector<TurnedPoint>& points) {
+  Eigen::Vector3d t = Eigen::Vector3d::Zero();
+  for (int round = 0; round < 3; ++round) {
+    Eigen::Matrix3d N = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    for (const TurnedPoint& point : points) {
+      const Eigen::Matrix<double, 2, 3> A = point.rows(t);
+      N += point.weight(t) * A.transpose() * A;
+      b -= point.weight(t) * A.transpose() * (A * point.turned);
+    }
+    const Eigen::LDLT<Eigen::Matrix3d> factors(N);
+    if (factors.info() != Eigen::Success || factors.rcond() < 1e-9) return std::nullopt;
+    t = factors.solve(b);
+  }
+  return t;
+}
+
 double median_z(std::vector<KnownDepth> known) {
   if (known.empty()) return 0;
   const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
@@ -54,6 +99,16 @@ std::vector<KnownDepth> known_depths(const LocalMap& map, const std::vector<int>
     if (relative_sigma < kMostUncertain)
       known.push_back({visible.pixel, visible.x_in_cam.z(), relative_sigma});
   }
+  return known;
+}
+
+std::vector<KnownDepth> known_depths(const MapFrame& frame, const Camera& camera,
+                                     const OdometryOptions& options) {
+  std::vector<KnownDepth> known;
+  for (std::size_t i = 0; i < frame.rays.size(); ++i)
+    if (const auto plane = depth_along(frame, frame.rays[i], {}, camera, options))
+      known.push_back({frame.pixel(static_cast<int>(i)), plane->z,
+                       plane->noise_share * options.depth_noise.sigma(plane->z) / plane->z});
   return known;
 }
 
@@ -84,6 +139,52 @@ std::optional<MotionLength> length_by_known(const TwoViewStart& two_views, const
   return MotionLength{std::exp(middle), std::sqrt(noise / information)};
 }
 
+std::optional<KnownTranslation> translation_by_known(const TwoViewStart& two_views, const MapFrame& frame1,
+                                                     const std::vector<KnownDepth>& known,
+                                                     const Camera& camera, std::uint64_t seed) {
+  const double focal = std::abs(camera.fx), max_error = TwoViewOptions().max_error_px / focal;
+  const Eigen::Matrix3d& R = two_views.cam2_from_cam1.R;
+  std::vector<TurnedPoint> points;
+  for (const FeaturePair& pair : two_views.agreeing) {
+    const KnownDepth* depth = nearest_to(frame1.pixel(pair.feature1), known);
+    if (!depth || depth->relative_sigma > kMostUncertain) continue;
+    const Eigen::Vector3d X = point_at_depth(frame1.rays[pair.feature1], depth->z);
+    points.push_back({X, R * X, pair.ray2, depth->relative_sigma, max_error});
+  }
+  const int count = static_cast<int>(points.size());
+  if (count < kFewest) return std::nullopt;
+  constexpr int kTries = 100;
+  std::mt19937_64 random(seed);
+  std::vector<TurnedPoint> best;
+  for (int i = 0; i < kTries; ++i) {
+    const TurnedPoint &one = points[random() % points.size()], &other = points[random() % points.size()];
+    const auto t = solve({one, other});
+    if (!t) continue;
+    std::vector<TurnedPoint> agreeing;
+    for (const TurnedPoint& point : points)
+      if (point.agrees(*t)) agreeing.push_back(point);
+    if (agreeing.size() > best.size()) best = std::move(agreeing);
+  }
+  if (static_cast<int>(best.size()) < kFewest || 2 * static_cast<int>(best.size()) < count)
+    return std::nullopt;
+  const auto t = solve(best);
+  if (!t) return std::nullopt;
+  KnownTranslation found{*t, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
+  Eigen::Matrix3d N = Eigen::Matrix3d::Zero(), M = Eigen::Matrix3d::Zero();
+  double squares = 0;
+  for (const TurnedPoint& point : best) {
+    const Eigen::Matrix<double, 2, 3> A = point.rows(*t);
+    const double weight = point.weight(*t);
+    N += weight * A.transpose() * A;
+    M += weight * A.transpose() * A * R * skew(point.X);
+    squares += weight * (A * (point.turned + *t)).squaredNorm();
+  }
+  const double noise = std::max(1.0, squares / (2 * static_cast<double>(best.size()) - 3));
+  found.covariance = noise * N.inverse();
+  found.by_rotation = N.inverse() * M;
+  return found;
+}
+
 std::optional<ViewPose> pose_from_views(FrameView& first, FrameView& second, const Pose& prior,
                                         const std::vector<KnownDepth>& known, const Camera& camera,
                                         const RansacOptions& ransac) {
@@ -103,7 +204,18 @@ std::optional<ViewPose> pose_from_views(FrameView& first, FrameView& second, con
   Matrix6d& C = found.pose.covariance = two_views.covariance;
   Eigen::Vector3d& t = found.pose.cam_from_reference.t;
   MotionLength length{prior.t.norm(), 1};
-  if (two_views.support == EstimateKind::kRotationOnly) {
+  const auto by_known = two_views.kind == TwoViewStart::Kind::kTriangulated
+                            ? length_by_known(two_views, frame1, known)
+                            : std::nullopt;
+  const auto translation =
+      by_known ? std::nullopt : translation_by_known(two_views, frame1, known, camera, ransac.seed);
+  if (translation) {
+    const Eigen::Matrix3d C_R = C.topLeftCorner<3, 3>(), by_rotation = translation->by_rotation;
+    t = translation->t;
+    C.topRightCorner<3, 3>() = C_R * by_rotation.transpose();
+    C.bottomLeftCorner<3, 3>() = by_rotation * C_R;
+    C.bottomRightCorner<3, 3>() = translation->covariance + by_rotation * C_R * by_rotation.transpose();
+  } else if (two_views.support == EstimateKind::kRotationOnly) {
     t.setZero();
     length.value = 0;
     C.rightCols<3>().setZero(), C.bottomRows<3>().setZero();
@@ -111,7 +223,6 @@ std::optional<ViewPose> pose_from_views(FrameView& first, FrameView& second, con
     C.bottomRightCorner<3, 3>() = sigma * sigma * Eigen::Matrix3d::Identity();
     found.is_guess = known.empty();
   } else if (two_views.kind == TwoViewStart::Kind::kTriangulated) {
-    const auto by_known = length_by_known(two_views, frame1, known);
     found.is_guess = !by_known;
     if (by_known) length = *by_known;
     t *= length.value;

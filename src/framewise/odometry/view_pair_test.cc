@@ -132,6 +132,65 @@ TEST(LengthByKnown, IsEmptyWhereFewAreKnownOrNoneIsNearOrTheyDisagree) {
   EXPECT_FALSE(length_by_known(scattered.two_views, scattered.frame1, scattered.known));
 }
 
+// Two views whose rotation is known, and points of camera 1 that camera 2 sees after a motion by t.
+struct Turned {
+  TwoViewStart two_views;
+  MapFrame frame1;
+  std::vector<KnownDepth> known;
+  Eigen::Vector3d t{0.1, -0.05, 0.45};
+
+  explicit Turned(int count) {
+    two_views.cam2_from_cam1.R = so3_exp({0.02, -0.06, 0.03});
+    for (int i = 0; i < count; ++i) {
+      const Eigen::Vector2d pixel(20 + 37 * i % 280, 15 + 53 * i % 210);
+      const double z = 2 + 0.13 * (7 * i % 31);
+      frame1.features.keypoints.emplace_back(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()),
+                                             7.0f);
+      frame1.rays.push_back({(pixel.x() - 159.5) / 250, (pixel.y() - 119.5) / 250, 1});
+      known.push_back({pixel, z, 1e-3});
+      const Eigen::Vector3d x = two_views.cam2_from_cam1.R * (z * frame1.rays.back()) + t;
+      two_views.agreeing.push_back({i, i, pixel, x / x.z(), {}});
+    }
+  }
+
+  std::optional<KnownTranslation> translation() const {
+    return translation_by_known(two_views, frame1, known, Boxes::camera(), 1);
+  }
+};
+
+TEST(TranslationByKnown, IsExactWhateverSomeRaysSay) {
+  Turned scene(30);
+  for (int i = 0; i < 30; i += 3) scene.two_views.agreeing[i].ray2.x() += 0.1;
+  const auto found = scene.translation();
+  ASSERT_TRUE(found);
+  EXPECT_LT((found->t - scene.t).norm(), 1e-12);
+  EXPECT_GT(found->covariance.determinant(), 0);
+}
+
+TEST(TranslationByKnown, FollowsTheRotationAsItsDerivativeSays) {
+  Turned scene(30);
+  const auto found = scene.translation();
+  ASSERT_TRUE(found);
+  const Eigen::Matrix3d R = scene.two_views.cam2_from_cam1.R;
+  constexpr double kStep = 1e-5;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d turn = kStep * Eigen::Vector3d::Unit(axis);
+    scene.two_views.cam2_from_cam1.R = R * so3_exp(turn);
+    const auto more = scene.translation();
+    scene.two_views.cam2_from_cam1.R = R * so3_exp(-turn);
+    const auto less = scene.translation();
+    ASSERT_TRUE(more && less);
+    EXPECT_LT(((more->t - less->t) / (2 * kStep) - found->by_rotation.col(axis)).norm(), 1e-3);
+  }
+}
+
+TEST(TranslationByKnown, IsEmptyWhereFewAgree) {
+  EXPECT_FALSE(Turned(9).translation());
+  Turned scattered(30);
+  for (int i = 0; i < 30; ++i) scattered.known[i].z *= 1 + 0.4 * (i % 7);
+  EXPECT_FALSE(scattered.translation());
+}
+
 TEST(KnownDepths, AreThoseThatTheCameraSeesAndTheMapIsSureOf) {
   LocalMap map(3);
   Keyframe& keyframe = map.add(std::make_shared<MapFrame>(), {});
