@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/features/warped_patch.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -29,6 +30,39 @@ struct Comparison {
   }
 };
 
+// Of the place: by the texture that both images have. Noise and blur give each gradients that the other does
+// not have; where a direction has no others, the place stays where it was expected.
+Eigen::Matrix2d covariance_of_place(const PatchTemplate& t, const cv::Mat& image,
+                                    const Eigen::Vector2f& place, float noise, float gain) {
+  constexpr double kLeastTexture = 0.05;  // of the gradients' squares: nothing is known
+  const int radius = t.side / 2;
+  std::array<float, kMaxPatchSide * kMaxPatchSide> wide;
+  for (int y = -radius - 1, k = 0; y <= radius + 1; ++y)
+    for (int x = -radius - 1; x <= radius + 1; ++x, ++k)
+      wide[k] = sampled(image, place.x() + static_cast<float>(x), place.y() + static_cast<float>(y));
+  const int outer = t.side + 2;
+  Eigen::Matrix2f both = Eigen::Matrix2f::Zero();
+  for (int y = 0, k = 0; y < t.side; ++y)
+    for (int x = 0; x < t.side; ++x, ++k) {
+      const float* w = wide.data() + (y + 1) * outer + x + 1;
+      both += Eigen::Vector2f(t.gx[k], t.gy[k]) *
+              Eigen::RowVector2f(0.5f * (w[1] - w[-1]), 0.5f * (w[outer] - w[-outer]));
+    }
+  both /= gain;
+  const Eigen::Matrix2d by_gradients = t.H_inverse.topLeftCorner<2, 2>().cast<double>();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+  eigen.computeDirect(by_gradients);
+  Eigen::Vector2d variances;
+  for (int i = 0; i < 2; ++i) {
+    const double squares = 1 / eigen.eigenvalues()[i];
+    const Eigen::Vector2d v = eigen.eigenvectors().col(i);
+    const double all = v.dot(t.H_place.cast<double>() * v), shared = v.dot(both.cast<double>() * v);
+    const double texture = std::clamp(shared / all, kLeastTexture, 1.0);
+    variances[i] = noise / (squares * texture * texture);
+  }
+  return eigen.eigenvectors() * variances.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
 }  // namespace
 
 ImageLevels image_levels(const cv::Mat& gray, int count) {
@@ -53,7 +87,8 @@ std::optional<TrackedPatch> track_patch(const ImageLevels& image1, const ImageLe
   Eigen::Vector2f place = start;
   bool converged = false;
   for (int i = 0; i <= options.max_iterations; ++i) {
-    if (!place.allFinite() || !is_inside(image, place.x(), place.y(), options.radius)) return std::nullopt;
+    if (!place.allFinite() || !is_inside(image, place.x(), place.y(), options.radius + 1))
+      return std::nullopt;
     if ((place - start).norm() > options.max_shift) return std::nullopt;
     const Comparison c(*t, image, place);
     const Eigen::Vector4f d = t->H_inverse * c.b;
@@ -66,10 +101,11 @@ std::optional<TrackedPatch> track_patch(const ImageLevels& image1, const ImageLe
       if (!(correlation >= options.min_correlation)) return std::nullopt;
       // What gain and offset leave of the difference is noise.
       const float noise = (1 - correlation * correlation) * t->norm2 / std::max(1.0f, n - 4);
-      const Eigen::Matrix2f covariance = noise * t->H_inverse.topLeftCorner<2, 2>();
       const double to_pixels = std::ldexp(1.0, warp.level);
-      return TrackedPatch{place.cast<double>() * to_pixels, correlation,
-                          PlaceNoise::of(to_pixels * to_pixels * covariance.cast<double>())};
+      return TrackedPatch{
+          place.cast<double>() * to_pixels, correlation,
+          PlaceNoise::of(to_pixels * to_pixels *
+                         covariance_of_place(*t, image, place, noise, std::max(0.1f, c.product / t->norm2)))};
     }
     const float gain = std::max(0.3f, 1 + d[2]);
     const Eigen::Vector2f step = d.head<2>() / gain;

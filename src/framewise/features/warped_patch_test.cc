@@ -70,6 +70,32 @@ TEST(TrackPatch, OfStripesIsCertainAcrossThemAlone) {
   EXPECT_GT(along.dot(C * along), 25 * across.dot(C * across));
 }
 
+// Along stripes nothing but noise, which each image has of its own: the place stays where it was
+// expected, 1.5 pixels off, and says so.
+TEST(TrackPatch, NoiseIsNoTexture) {
+  const Eigen::Vector2d across = Eigen::Vector2d(2, 1).normalized(), along(-across.y(), across.x());
+  const auto stripes = [&](int seed) {
+    cv::Mat gray(120, 160, CV_8U);
+    cv::RNG random(seed);
+    for (int v = 0; v < gray.rows; ++v)
+      for (int u = 0; u < gray.cols; ++u)
+        gray.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
+            128 + 60 * std::sin(0.5 * across.dot(Eigen::Vector2d(u, v))) + random.gaussian(4));
+    return image_levels(gray);
+  };
+  const Eigen::Vector2d expected = kCentre + 1.5 * along;
+  double nees = 0;
+  int found = 0;
+  for (int i = 0; i < 60; ++i) {
+    const auto patch = track_patch(stripes(2 * i + 1), stripes(2 * i + 2), {kCentre, expected, kNone, 0});
+    if (!patch) continue;
+    ++found;
+    nees += std::pow(along.dot(patch->pixel2 - kCentre), 2) / along.dot(patch->noise_px.covariance() * along);
+  }
+  ASSERT_GT(found, 30);
+  EXPECT_LT(nees / found, 4);  // of one number
+}
+
 TEST(TrackPatch, SeesThroughTurnScaleAndLight) {
   const Eigen::Matrix2d A = 1.25 * Eigen::Rotation2Dd(0.5).toRotationMatrix();
   const Eigen::Vector2d shift(-0.9, 1.1);
