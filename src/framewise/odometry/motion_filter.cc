@@ -17,7 +17,7 @@ constexpr double kLeastHalfLife = 0.2;  // s: a hand that moves the camera chang
 
 void MotionFilter::start(double time, const Pose& world_from_cam) {
   time_ = time;
-  world_from_cam_ = world_from_cam;
+  world_from_cam_ = measured_ = world_from_cam;
   rotation_ = {}, position_ = {};
   updates_ = 0;
   time_then_ = std::numeric_limits<double>::quiet_NaN();
@@ -49,6 +49,18 @@ Eigen::Vector3d MotionFilter::Axes::update(const Eigen::Vector3d& e, double nois
   return alpha * e;
 }
 
+void MotionFilter::Axes::take_rate(const Eigen::Vector3d& measured_rate, double dt) {
+  constexpr double kMemory = 0.05;
+  const Eigen::Vector3d newest = (measured_rate - rate) * dt;
+  if (++rates > 2) change_products += kMemory * (newest.dot(change) / 3 - change_products);
+  rate = measured_rate, change = newest;
+}
+
+double MotionFilter::Axes::shown_noise(double said) const {
+  constexpr double kMost = 9;  // of what was said: steps seen at a few frames a second swing as well
+  return std::clamp(-change_products / 4, said, kMost * said);
+}
+
 void MotionFilter::Axes::compare_with_then() {
   constexpr double kMemory = 0.2;  // of the newest pair
   const double square = (velocity.squaredNorm() + velocity_then.squaredNorm()) / 2;
@@ -66,8 +78,11 @@ double MotionFilter::Axes::share_kept(double seconds) const {
 Pose MotionFilter::update(double time, const Pose& measured, const Matrix6d& covariance) {
   const double dt = std::max(1e-6, time - time_);
   const Pose predicted = predict(time);
-  const double rotation_noise = covariance.topLeftCorner<3, 3>().trace() / 3;
-  const double position_noise = covariance.bottomRightCorner<3, 3>().trace() / 3;
+  rotation_.take_rate(so3_log(measured_.R.transpose() * measured.R) / dt, dt);
+  position_.take_rate((measured.t - measured_.t) / dt, dt);
+  measured_ = measured;
+  const double rotation_noise = rotation_.shown_noise(covariance.topLeftCorner<3, 3>().trace() / 3);
+  const double position_noise = position_.shown_noise(covariance.bottomRightCorner<3, 3>().trace() / 3);
   const bool shrinks = shrinks_ && updates_++ > 2 && std::isfinite(rotation_noise + position_noise);
   const Eigen::Vector3d turned =
       rotation_.update(so3_log(predicted.R.transpose() * measured.R), rotation_noise, dt, shrinks);
@@ -93,8 +108,11 @@ Matrix6d MotionFilter::departure() const {
 }
 
 void MotionFilter::coast(double time) {
-  world_from_cam_ = predict(time);
-  for (Axes* axes : {&rotation_, &position_}) axes->velocity *= axes->share_kept(std::max(0.0, time - time_));
+  world_from_cam_ = measured_ = predict(time);
+  for (Axes* axes : {&rotation_, &position_}) {
+    axes->velocity *= axes->share_kept(std::max(0.0, time - time_));
+    axes->rates = 0;
+  }
   time_then_ = std::numeric_limits<double>::quiet_NaN();
   time_ = time;
 }
@@ -102,6 +120,8 @@ void MotionFilter::coast(double time) {
 void MotionFilter::correct(const Pose& new_from_old) {
   world_from_cam_ = new_from_old * world_from_cam_;
   world_from_cam_.R = nearest_rotation(world_from_cam_.R);
+  measured_ = new_from_old * measured_;
+  for (Eigen::Vector3d* v : {&position_.rate, &position_.change}) *v = new_from_old.R * *v;
   position_.velocity = new_from_old.R * position_.velocity;
   position_.velocity_then = new_from_old.R * position_.velocity_then;
 }

@@ -21,6 +21,9 @@ struct PriorDraw {
 // one that stands, stands.
 //   The alpha-beta filter: Kalata, The tracking index, IEEE T-AES 1984; with the size of the manoeuvres from
 //   the innovations, S = E[e^2] = R / (1 - alpha): Mehra, Approaches to adaptive filtering, IEEE T-AC 1972.
+// The noise R may be more than was said where what was measured swings: noise n of poses gives their second
+// differences a product of -4 n^2 with the ones before, a motion that changes by and by gives them more than
+// 0.
 class MotionFilter {
  public:
   explicit MotionFilter(bool shrinks) : shrinks_(shrinks) {}
@@ -59,6 +62,14 @@ class MotionFilter {
     double taken = 1;        // of the last innovation
     Eigen::Vector3d update(const Eigen::Vector3d& e, double noise, double dt, bool shrinks);
 
+    // The motion that was measured from frame to frame: its rate, how that changed, and the mean product (per
+    // axis) of a change and the one before.
+    Eigen::Vector3d rate = Eigen::Vector3d::Zero(), change = Eigen::Vector3d::Zero();
+    double change_products = 0;
+    int rates = 0;
+    void take_rate(const Eigen::Vector3d& measured_rate, double dt);
+    double shown_noise(double said) const;  // variance
+
     // Velocities a lag apart, their products and squares: how much of one is left in the next.
     Eigen::Vector3d velocity_then = Eigen::Vector3d::Zero();
     double products = 0, squares = 0;
@@ -68,7 +79,7 @@ class MotionFilter {
 
   bool shrinks_;
   double time_ = 0;
-  Pose world_from_cam_;
+  Pose world_from_cam_, measured_;  // as believed, and as it was measured
   Axes rotation_, position_;
   double time_then_ = std::numeric_limits<double>::quiet_NaN();  // of velocity_then
   int updates_ = 0;

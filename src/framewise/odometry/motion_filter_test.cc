@@ -57,6 +57,26 @@ TEST(MotionFilter, AStandingCameraMovesLessThanItsNoise) {
   EXPECT_LT(believed, 0.25 * measured);
 }
 
+// A third of the noise was said; the swing of what is measured shows the rest.
+TEST(MotionFilter, NoiseThatWasUnderstatedIsSeenInTheSwing) {
+  constexpr double kSigma = 2e-3;
+  const auto error = [&](double said) {
+    std::mt19937 random(7);
+    MotionFilter filter(true);
+    filter.start(0, steady(0));
+    double squares = 0;
+    for (int i = 1; i <= 400; ++i) {
+      Pose noisy = steady(i / kRate);
+      noisy.R = noisy.R * so3_exp(draw(random, kSigma)), noisy.t += draw(random, kSigma);
+      const Pose pose = filter.update(i / kRate, noisy, noise(said, said));
+      if (i > 100) squares += (pose.t - steady(i / kRate).t).squaredNorm() / 3;
+    }
+    return std::sqrt(squares / 300);
+  };
+  EXPECT_LT(error(kSigma / 3), 0.6 * kSigma);
+  EXPECT_GT(error(kSigma / 30), 0.9 * kSigma);  // within reason
+}
+
 TEST(MotionFilter, TakesWhatIsMeasuredWhereTheMotionIsLarge) {
   MotionFilter filter(true);
   filter.start(0, {});
