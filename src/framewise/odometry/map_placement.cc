@@ -266,7 +266,14 @@ std::optional<Placed> place_by_views(const MapFrame& frame, FrameView& frame_vie
   }
   const Placed in_map = look_nearby(frame, from, keyframes, view, kFewWillDo);
   if (is_credible(in_map, map_options, kFewWillDo)) return in_map;
-  return found->is_guess ? std::nullopt : std::optional(placed);
+  if (!found->is_guess) return placed;
+  if (earlier.frame().depth.empty()) return std::nullopt;
+  Placed turned = placed;
+  const Pose world_from_cam{view.world_from_before.R * placed.pose.cam_from_reference.R.transpose(),
+                            predicted.t};
+  turned.pose.cam_from_reference = world_from_cam.inverse() * view.world_from_before;
+  turned.is_foretold = true;
+  return turned;
 }
 
 std::vector<PlacedBy> placed_by(const Placed& placed, const DepthNoise& noise) {

@@ -22,6 +22,7 @@ struct Placed {
   std::vector<MapMatch> matches;  // the same points
   Shutter shutter;
   int sought = 0, matched = 0, iterations = 0;
+  bool is_foretold = false;  // its position; measured is the rotation alone
 };
 
 // What a frame is placed against.

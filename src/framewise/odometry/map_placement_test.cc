@@ -88,6 +88,28 @@ TEST_F(MapOfBoxes, APointIsSeenFromBothFramesWhereItIs) {
   EXPECT_LT(off, static_cast<int>(seen.x1.size()) / 10);
 }
 
+// Both see plenty, and none of it has depth.
+TEST_F(MapOfBoxes, WhereNothingSeenHasDepthTheRotationIsMeasuredAndThePositionForetold) {
+  const auto barely_deep = [&](const Pose& pose, double time) {
+    Frame frame = boxes.frame(pose, time);
+    frame.depth.rowRange(4, frame.depth.rows) = std::numeric_limits<float>::quiet_NaN();
+    return look_at(frame, time > 0);
+  };
+  const Pose turned{so3_exp({0.01, -0.08, 0.03}), {0.01, 0, 0}},
+      predicted{Eigen::Matrix3d::Identity(), {0.3, 0.1, 0}};
+  const MapFrame first = barely_deep({}, 0), second = barely_deep(turned, 0.1);
+  FrameView earlier(first), view_of_second(second);
+  const LocalMap nothing(3);
+  const MapView view{nothing, camera, options, turns, 0, {}, 0};
+  EXPECT_FALSE(place_by_pair(second, view_of_second, earlier, {}, predicted, view));
+  const auto found = place_by_views(second, view_of_second, earlier, {}, predicted, view);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->is_foretold);
+  const Pose world_from_cam = found->pose.cam_from_reference.inverse();
+  EXPECT_LT(rotation_angle(world_from_cam.R.transpose() * turned.R), 0.01);
+  EXPECT_LT((world_from_cam.t - predicted.t).norm(), 1e-12);
+}
+
 // Of `found` places, all but `wrong` agree.
 Placed of_quality(int sought, int found, int wrong) {
   Placed placed;

@@ -50,6 +50,7 @@ MapTrack MapTracker::add(std::shared_ptr<MapFrame> frame) {
   // Back from another map, which did not know where it was: a step that no two frames tell.
   const bool is_jump = meanwhile_ && meanwhile_->is_under_way();
   meanwhile_.reset();
+  foretold_in_a_row_ = placed->is_foretold ? foretold_in_a_row_ + 1 : 0;
   MapTrack track = measured(std::move(frame), *placed);
   if (is_jump) track.step.status = Status::kPredicted;
   last_measured_ = std::move(frame_view);
@@ -71,7 +72,16 @@ std::optional<Placed> MapTracker::find(const std::shared_ptr<MapFrame>& frame, F
   if (const auto placed = by(has_depth ? place_by_pair : place_by_views)) return placed;
   // A motion that goes on as foretold makes up for what the patches leave to chance.
   if (unsure && is_under_way()) return unsure;
-  return has_depth ? by(place_by_views) : std::nullopt;
+  auto by_views = has_depth ? by(place_by_views) : std::nullopt;
+  if (!by_views || !by_views->is_foretold) return by_views;
+  // Where all that is seen is far, and for a few frames, a steady motion makes up for the translation.
+  constexpr int kMostForetold = 3;
+  if (!is_under_way() || foretold_in_a_row_ == kMostForetold) return std::nullopt;
+  Matrix6d& covariance = by_views->pose.covariance;
+  if (!covariance.topLeftCorner<3, 3>().allFinite()) return std::nullopt;
+  covariance.rightCols<3>().setZero(), covariance.bottomRows<3>().setZero();
+  covariance.bottomRightCorner<3, 3>() = motion_.departure().bottomRightCorner<3, 3>();
+  return by_views;
 }
 
 MapTrack MapTracker::start(std::shared_ptr<MapFrame> frame) {
@@ -189,7 +199,7 @@ MapTrack MapTracker::measured(std::shared_ptr<MapFrame> frame, const Placed& pla
       motion_.update(frame->time, world_from_before_ * cam_from_before.inverse(),
                      of_placed_camera(placed.pose.covariance, cam_from_before, world_from_before_.R));
   follow_errors(placed);
-  track.step.status = Status::kOk;
+  track.step.status = placed.is_foretold ? Status::kLowParallax : Status::kOk;
   track.step.matches = placed.matched;
   track.step.inliers = placed.pose.num_inliers;
   track.step.iterations = placed.iterations;

@@ -77,7 +77,7 @@ class MapTracker {
   double time_before_ = 0, time_measured_ = 0;
   PoseErrors errors_;
   Matrix6d foretold_ = Matrix6d::Zero();  // how far the camera may have departed since it was measured
-  int missed_in_a_row_ = 0, measured_in_a_row_ = 0;
+  int missed_in_a_row_ = 0, measured_in_a_row_ = 0, foretold_in_a_row_ = 0;
   FrameView last_measured_;  // to relate a frame to where the map fails
   Pose world_from_measured_;
   int points_at_keyframe_ = 0;
