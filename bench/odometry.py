@@ -172,7 +172,7 @@ def table(framewise, folder, groups, options):
             statuses = ", ".join(f"{count} {status}" for status, count in row["run"]["statuses"].items() if count)
             nees = f"{np.mean(row['nees']):.2f}, {np.median(row['nees']):.2f}" if row["nees"] else ""
             print(f"| {name} | {statuses} | {1000 * row['ate']:.2f}, {1000 * row['final']:.2f} "
-                  f"| {row['ate'] / row['path']:.4%} | {mm_deg(row['rpe'])} | {mm_deg(row['second'])} | {nees} "
+                  f"| {row['ate'] / row['path'] if row['path'] else 0:.4%} | {mm_deg(row['rpe'])} | {mm_deg(row['second'])} | {nees} "
                   f"| {row['run']['frames_per_second']:.1f} |", flush=True)
         if len(rows) > 1 and group != "real":
             print(f"| **{group}**, geometric means | | {1000 * geometric_mean(rows, 'ate'):.2f}, "
