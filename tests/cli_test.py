@@ -359,6 +359,8 @@ class LostAndFound(Recording):
 class Methods(Recording):
     """Solver, measure, scale and RANSAC scheme, on the matches of an archive."""
 
+    SIZE = ("--rate", 15)  # steps that are large beside what rounding does to a choice among samples
+
     def setUp(self):
         super().setUp()
         self.archive = self.work / "matches.h5"

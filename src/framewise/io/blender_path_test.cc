@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 fs::path written(const std::string& name, const std::string& text) {
-  const fs::path path = fs::path(testing::TempDir()) / name;
+  const fs::path path = fs::path(testing::TempDir()) /
+                        (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + name);
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

@@ -17,7 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string written(const std::vector<cv::KeyPoint>& keypoints, const cv::Mat& descriptors) {
-  const fs::path file = fs::path(testing::TempDir()) / "framewise_features.txt";
+  const fs::path file = fs::path(testing::TempDir()) /
+                        ("framewise_features_" +
+                         std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".txt");
   write_features(file, "a.png", keypoints, descriptors);
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();

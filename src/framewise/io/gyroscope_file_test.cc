@@ -16,7 +16,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 fs::path imu_csv(const std::string& text) {
-  const fs::path path = fs::path(testing::TempDir()) / "framewise_imu_data.csv";
+  const fs::path path = fs::path(testing::TempDir()) /
+                        ("framewise_imu_data_" +
+                         std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

@@ -12,7 +12,9 @@ namespace framewise {
 namespace {
 
 TEST(PublishedTables, AreReadIntoOurNames) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "published.csv";
+  const auto path =
+      std::filesystem::path(testing::TempDir()) /
+      ("published_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
   std::ofstream(path) << "sequence,solver,translation,ransac_error,feature,ate_rmse_m,rpe_trans_rmse_m,"
                          "rpe_rot_rmse_deg,outcome\n"
                          "fr3_house,nister-5pt,first-pair-scale,reprojection,Surf,1.5,0.25,42.5,ok\n"
