@@ -10,7 +10,7 @@ docs/odometer.md.
     bench/odometry.py build/release/bin/framewise FOLDER -- --shrink false  # with options of framewise run
     bench/odometry.py build/release/bin/framewise FOLDER --ablation         # a row a part of the odometer left out
 
-Recordings that are not in FOLDER are simulated into it first (14 GiB in all). A row says how many frames were
+Recordings that are not in FOLDER are simulated into it first (3 GiB in all). A row says how many frames were
 measured, ATE of the causal and the final trajectory, its share of the path, the relative error a frame and over one
 second (all pairs), NEES of the steps (mean and median over frames of the mean of its six numbers; 1 is right) and
 frames a second with decoding.
