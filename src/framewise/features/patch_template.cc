@@ -36,8 +36,8 @@ std::optional<PatchTemplate> make_patch_template(const ImageLevels& image1, cons
     for (int x = 0; x < t.side; ++x, ++k) {
       const float* w = wide.data() + (y + 1) * outer_side + x + 1;
       t.value[k] = w[0];
-      t.gx[k] = 0.5f * (w[1] - w[-1]);
-      t.gy[k] = 0.5f * (w[outer_side] - w[-outer_side]);
+      const Eigen::Vector2f gradient = gradient_at(w, outer_side);
+      t.gx[k] = gradient.x(), t.gy[k] = gradient.y();
       mean += w[0];
     }
   mean /= static_cast<float>(t.size());

@@ -21,6 +21,11 @@ inline float sampled(const cv::Mat& image, float u, float v) {
   return (1 - b) * ((1 - a) * top[0] + a * top[1]) + b * ((1 - a) * low[0] + a * low[1]);
 }
 
+// Of a patch that is stored row by row: central differences.
+inline Eigen::Vector2f gradient_at(const float* value, int row_length) {
+  return {0.5f * (value[1] - value[-1]), 0.5f * (value[row_length] - value[-row_length])};
+}
+
 inline bool is_inside(const cv::Mat& image, double u, double v, double margin) {
   return u >= margin && v >= margin && u < image.cols - 1 - margin && v < image.rows - 1 - margin;
 }

@@ -45,8 +45,7 @@ Eigen::Matrix2d covariance_of_place(const PatchTemplate& t, const cv::Mat& image
   for (int y = 0, k = 0; y < t.side; ++y)
     for (int x = 0; x < t.side; ++x, ++k) {
       const float* w = wide.data() + (y + 1) * outer + x + 1;
-      both += Eigen::Vector2f(t.gx[k], t.gy[k]) *
-              Eigen::RowVector2f(0.5f * (w[1] - w[-1]), 0.5f * (w[outer] - w[-outer]));
+      both += Eigen::Vector2f(t.gx[k], t.gy[k]) * gradient_at(w, outer).transpose();
     }
   both /= gain;
   const Eigen::Matrix2d by_gradients = t.H_inverse.topLeftCorner<2, 2>().cast<double>();
@@ -99,13 +98,15 @@ std::optional<TrackedPatch> track_patch(const ImageLevels& image1, const ImageLe
       if (!(variance2 > 0.01f * t->norm2 && variance2 > n)) return std::nullopt;
       const float correlation = c.product / std::sqrt(std::max(1e-6f, variance2 * t->norm2));
       if (!(correlation >= options.min_correlation)) return std::nullopt;
+      const double to_pixels = std::ldexp(1.0, warp.level);
+      TrackedPatch found{place.cast<double>() * to_pixels, correlation, {}};
+      if (!options.measures_noise) return found;
       // What gain and offset leave of the difference is noise.
       const float noise = (1 - correlation * correlation) * t->norm2 / std::max(1.0f, n - 4);
-      const double to_pixels = std::ldexp(1.0, warp.level);
-      return TrackedPatch{
-          place.cast<double>() * to_pixels, correlation,
-          PlaceNoise::of(to_pixels * to_pixels *
-                         covariance_of_place(*t, image, place, noise, std::max(0.1f, c.product / t->norm2)))};
+      const float contrast = std::max(0.1f, c.product / t->norm2);
+      found.noise_px =
+          PlaceNoise::of(to_pixels * to_pixels * covariance_of_place(*t, image, place, noise, contrast));
+      return found;
     }
     const float gain = std::max(0.3f, 1 + d[2]);
     const Eigen::Vector2f step = d.head<2>() / gain;

@@ -23,6 +23,7 @@ struct PatchTrackOptions {
   double min_step_px = 0.02;     // done at a shorter step, in pixels of the level
   double max_shift = 4;          // one that wants to go farther was expected elsewhere: pixels of the level
   double min_correlation = 0.8;  // normalised; what is not the same thing seldom reaches 0.7
+  bool measures_noise = true;    // else the place alone is wanted
 };
 
 // Where a patch of image 1 is expected in image 2.
@@ -35,7 +36,7 @@ struct PatchWarp {
 struct TrackedPatch {
   Eigen::Vector2d pixel2;
   double correlation;
-  PlaceNoise noise_px;  // under the noise the patch shows
+  PlaceNoise noise_px;  // under the noise the patch shows, where that was measured
 };
 
 // Moves pixel2 to where image 2 looks most like the warped patch of image 1, but for brightness and contrast;

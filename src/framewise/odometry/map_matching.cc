@@ -63,6 +63,7 @@ std::optional<TrackedPatch> track_from_coarse(const ImageLevels& host, const Ima
   const int finest = warp.level;
   PatchTrackOptions coarse;
   coarse.min_correlation = 0.6;  // only to begin the next level from
+  coarse.measures_noise = false;
   for (int level = std::min(finest + coarser, static_cast<int>(frame.size()) - 1); level > finest; --level) {
     warp.level = level;
     if (const auto found = track_patch(host, frame, warp, coarse)) warp.pixel2 = found->pixel2;
