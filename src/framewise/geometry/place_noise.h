@@ -14,6 +14,9 @@ struct PlaceNoise {
 
   // None at all where the covariance is zero, or less by rounding.
   static PlaceNoise of(const Eigen::Matrix2d& covariance);
+  // The same place in other units.
+  PlaceNoise operator*(double factor) const { return {sigma * factor, shape}; }
+  PlaceNoise operator/(double divisor) const { return {sigma / divisor, shape}; }
   Eigen::Matrix2d covariance() const { return sigma * sigma * shape; }
   // Where no direction is surer than `least`.
   PlaceNoise at_least(double least) const;

@@ -132,13 +132,8 @@ int grow_map(LocalMap& map, int older, int newer, const Camera& camera, const Gr
     auto point = triangulated_point(host.shutter.at_middle(host.frame->rays[pair.feature1], row1), pair,
                                     viewer_from_host, focal, options);
     if (!point) continue;
-    const PlaceNoise noise = pair.noise_px.at_least(options.least_sigma_px);
-    point->views.push_back({newer,
-                            pair.ray2,
-                            {noise.sigma / focal, noise.shape},
-                            std::numeric_limits<double>::quiet_NaN(),
-                            seen2,
-                            row2});
+    const PlaceNoise noise = pair.noise_px.at_least(options.least_sigma_px) / focal;
+    point->views.push_back({newer, pair.ray2, noise, std::numeric_limits<double>::quiet_NaN(), seen2, row2});
     host.points.push_back(std::move(*point));
     ++added;
   }

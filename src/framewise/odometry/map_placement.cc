@@ -27,8 +27,7 @@ MapMatch match_of(const PointRef& ref, const Eigen::Vector3d& ray, double row, c
   match.X = before_from_host * point.position();
   match.S = before_from_host.R * point.covariance() * before_from_host.R.transpose();
   match.ray = shutter.at_middle(ray, row);
-  match.noise = noise_px.at_least(view.options.map.least_sigma_px);
-  match.noise.sigma /= std::abs(view.camera.fx);
+  match.noise = noise_px.at_least(view.options.map.least_sigma_px) / std::abs(view.camera.fx);
   match.z = std::numeric_limits<double>::quiet_NaN();
   return match;
 }
@@ -287,7 +286,7 @@ std::vector<PlacedBy> placed_by(const Placed& placed, const DepthNoise& noise) {
     point.x_in_cam = cam_from_before * match.X;
     point.S = cam_from_before.R * match.S * cam_from_before.R.transpose();
     point.ray_residual = point.x_in_cam.head<2>() / point.x_in_cam.z() - match.ray.head<2>();
-    point.ray_noise = {placed.pose.ray_scale * match.noise.sigma, match.noise.shape};
+    point.ray_noise = match.noise * placed.pose.ray_scale;
     if (match.z > 0) {
       const double sigma = placed.pose.depth_scale * match.z_share * noise.sigma(match.z);
       point.z_residual = point.x_in_cam.z() - match.z;

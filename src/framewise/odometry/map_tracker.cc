@@ -346,26 +346,18 @@ void MapTracker::become_keyframe(std::shared_ptr<MapFrame> frame, const Pose& wo
       const PointRef& ref = placed->points[i].ref;
       if (!map_.holds(ref.keyframe)) continue;
       const MapMatch& match = placed->matches[i];
-      map_.point(ref).views.push_back(
-          {keyframe.id,
-           match.ray,
-           {std::max(1.0, placed->pose.ray_scale) * match.noise.sigma, match.noise.shape},
-           match.z,
-           placed->points[i].ray,
-           row_of(camera_, placed->points[i].pixel.y())});
+      map_.point(ref).views.push_back({keyframe.id, match.ray,
+                                       match.noise * std::max(1.0, placed->pose.ray_scale), match.z,
+                                       placed->points[i].ray, row_of(camera_, placed->points[i].pixel.y())});
       seen += map_.point(ref).is_known();
     }
   for (const TrackedPoint& point : traced) {
     if (!map_.holds(point.ref.keyframe)) continue;
     taken.push_back(point);
     const double row = row_of(camera_, point.pixel.y());
-    const PlaceNoise noise = point.noise_px.at_least(options_.map.least_sigma_px);
-    map_.point(point.ref).views.push_back({keyframe.id,
-                                           keyframe.shutter.at_middle(point.ray, row),
-                                           {noise.sigma / std::abs(camera_.fx), noise.shape},
-                                           kUnmeasured,
-                                           point.ray,
-                                           row});
+    const PlaceNoise noise = point.noise_px.at_least(options_.map.least_sigma_px) / std::abs(camera_.fx);
+    map_.point(point.ref).views.push_back(
+        {keyframe.id, keyframe.shutter.at_middle(point.ray, row), noise, kUnmeasured, point.ray, row});
     seen += map_.point(point.ref).is_known();
   }
   const Pose depth_from_cam = options_.map.follow ? motion_.motion_during(frame->depth_delay) : Pose();

@@ -110,12 +110,8 @@ SeenByBoth add_two_views(LocalMap& map, std::shared_ptr<const MapFrame> frame2, 
     point.inverse_z /= length;
     point.variance /= length * length;
     const FeaturePair& pair = two_views.seen_by[i];
-    const PlaceNoise noise = pair.noise_px.at_least(options.least_sigma_px);
-    point.views.push_back({viewer_id,
-                           pair.ray2,
-                           {noise.sigma / std::abs(camera.fx), noise.shape},
-                           std::numeric_limits<double>::quiet_NaN(),
-                           pair.ray2,
+    const PlaceNoise noise = pair.noise_px.at_least(options.least_sigma_px) / std::abs(camera.fx);
+    point.views.push_back({viewer_id, pair.ray2, noise, std::numeric_limits<double>::quiet_NaN(), pair.ray2,
                            row_of(camera, pair.pixel2.y())});
     const PointRef ref{host_id, static_cast<int>(host.points.size())};
     host.points.push_back(std::move(point));

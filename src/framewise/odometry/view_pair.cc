@@ -4,8 +4,10 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "framewise/geometry/so3.h"
 
@@ -63,7 +65,7 @@ struct TurnedPoint {
 };
 
 // The translation that fits best; its own depths and noise depend on it a little.
-std::optional<Eigen::Vector3d> solve(const std::vector<TurnedPoint>& points) {
+std::optional<Eigen::Vector3d> solve(std::span<const TurnedPoint> points) {
   Eigen::Vector3d t = Eigen::Vector3d::Zero();
   for (int round = 0; round < 3; ++round) {
     Eigen::Matrix3d N = Eigen::Matrix3d::Zero();
@@ -155,34 +157,31 @@ std::optional<KnownTranslation> translation_by_known(const TwoViewStart& two_vie
   if (count < kFewest) return std::nullopt;
   constexpr int kTries = 100;
   std::mt19937_64 random(seed);
-  std::vector<TurnedPoint> best;
+  Eigen::Vector3d best = Eigen::Vector3d::Zero();
+  int most = 0;
   for (int i = 0; i < kTries; ++i) {
     const TurnedPoint &one = points[random() % points.size()], &other = points[random() % points.size()];
-    const auto t = solve({one, other});
+    const auto t = solve(std::array{one, other});
     if (!t) continue;
-    std::vector<TurnedPoint> agreeing;
-    for (const TurnedPoint& point : points)
-      if (point.agrees(*t)) agreeing.push_back(point);
-    if (agreeing.size() > best.size()) best = std::move(agreeing);
+    const auto agreeing = std::count_if(points.begin(), points.end(),
+                                        [&](const TurnedPoint& point) { return point.agrees(*t); });
+    if (agreeing > most) most = static_cast<int>(agreeing), best = *t;
   }
-  if (static_cast<int>(best.size()) < kFewest || 2 * static_cast<int>(best.size()) < count)
-    return std::nullopt;
-  const auto t = solve(best);
+  if (most < kFewest || 2 * most < count) return std::nullopt;
+  std::erase_if(points, [&](const TurnedPoint& point) { return !point.agrees(best); });
+  const auto t = solve(points);
   if (!t) return std::nullopt;
-  KnownTranslation found{*t, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
   Eigen::Matrix3d N = Eigen::Matrix3d::Zero(), M = Eigen::Matrix3d::Zero();
   double squares = 0;
-  for (const TurnedPoint& point : best) {
+  for (const TurnedPoint& point : points) {
     const Eigen::Matrix<double, 2, 3> A = point.rows(*t);
     const double weight = point.weight(*t);
     N += weight * A.transpose() * A;
     M += weight * A.transpose() * A * R * skew(point.X);
     squares += weight * (A * (point.turned + *t)).squaredNorm();
   }
-  const double noise = std::max(1.0, squares / (2 * static_cast<double>(best.size()) - 3));
-  found.covariance = noise * N.inverse();
-  found.by_rotation = N.inverse() * M;
-  return found;
+  const double noise = std::max(1.0, squares / (2 * most - 3));
+  return KnownTranslation{*t, noise * N.inverse(), N.inverse() * M};
 }
 
 std::optional<ViewPose> pose_from_views(FrameView& first, FrameView& second, const Pose& prior,
