@@ -13,17 +13,17 @@ namespace {
 
 // Normalised, of the template and the patch about a place; -1 where that has no contrast.
 float correlation_at(const PatchTemplate& t, const cv::Mat& image, const Eigen::Vector2f& place) {
-  const int radius = t.side / 2;
-  float sum = 0, squares = 0, product = 0;
-  for (int y = -radius, k = 0; y <= radius; ++y)
-    for (int x = -radius; x <= radius; ++x, ++k) {
-      const float value =
-          sampled(image, place.x() + static_cast<float>(x), place.y() + static_cast<float>(y));
-      sum += value, squares += value * value, product += value * t.value[k];
-    }
+  PatchRows values;
+  sample_patch(image, place, t.side / 2, values);
+  Eigen::Array4f all = Eigen::Array4f::Zero(), squared = all, with_value = all;
+  for (int k = 0; k < t.padded_size(); k += 4) {
+    const Eigen::Array4f value = four_less_mean(values, k, t);
+    all += value, squared += value * value, with_value += value * four(t.value, k);
+  }
+  const float sum = all.sum(), squares = squared.sum(), product = with_value.sum();
   const float n = static_cast<float>(t.size()), variance2 = squares - sum * sum / n;
   if (!(variance2 > n)) return -1;
-  return product / std::sqrt(variance2 * t.norm2);
+  return product / std::sqrt(variance2 * t.norm2());
 }
 
 }  // namespace

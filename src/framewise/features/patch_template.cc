@@ -5,8 +5,65 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace framewise {
+namespace {
+
+// J' J of the pixels' (gx, gy, value, 1).
+Eigen::Matrix4f products(const PatchTemplate& t) {
+  const PatchRows* const columns[] = {&t.gx, &t.gy, &t.value, &t.inside};
+  Eigen::Matrix4f H;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j <= i; ++j) {
+      Eigen::Array4f sum = Eigen::Array4f::Zero();
+      for (int k = 0; k < t.padded_size(); k += 4) sum += four(*columns[i], k) * four(*columns[j], k);
+      H(i, j) = H(j, i) = sum.sum();
+    }
+  return H;
+}
+
+// As many bytes as a row has; zeros for those that the image no longer has.
+void read_row(const std::uint8_t* from, int left, std::array<std::uint8_t, kPatchRow>& row) {
+  if (left >= kPatchRow) {
+    std::memcpy(row.data(), from, kPatchRow);
+  } else {
+    row.fill(0);
+    std::copy(from, from + left, row.begin());
+  }
+}
+
+}  // namespace
+
+void sample_patch(const cv::Mat& image, const Eigen::Vector2f& place, int radius, PatchRows& values) {
+  const int u0 = static_cast<int>(place.x()), v0 = static_cast<int>(place.y());
+  const float a = place.x() - static_cast<float>(u0), b = place.y() - static_cast<float>(v0);
+  const int begin = u0 - radius, side = 2 * radius + 1;
+  std::array<std::uint8_t, kPatchRow> bytes;
+  std::array<float, kPatchRow + 1> row{};
+  std::array<float, kPatchRow> above{}, here;
+  for (int y = 0; y <= side; ++y) {
+    read_row(image.ptr(v0 - radius + y) + begin, image.cols - begin, bytes);
+    for (int x = 0; x < kPatchRow; ++x) row[x] = bytes[x];
+    for (int x = 0; x < kPatchRow; ++x) here[x] = (1 - a) * row[x] + a * row[x + 1];
+    if (y > 0)
+      for (int x = 0; x < kPatchRow; ++x) values[(y - 1) * kPatchRow + x] = (1 - b) * above[x] + b * here[x];
+    above = here;
+  }
+}
+
+void gradients_inside(const PatchRows& wide, int side, PatchRows& gx, PatchRows& gy) {
+  for (int y = 0; y < side; ++y) {
+    const float* const row = wide.data() + (y + 1) * kPatchRow + 1;
+    float *const along_x = gx.data() + y * kPatchRow, *const along_y = gy.data() + y * kPatchRow;
+    for (int x = 0; x < side; ++x) {
+      along_x[x] = 0.5f * (row[x + 1] - row[x - 1]);
+      along_y[x] = 0.5f * (row[x + kPatchRow] - row[x - kPatchRow]);
+    }
+    std::fill(along_x + side, along_x + kPatchRow, 0.0f);
+    std::fill(along_y + side, along_y + kPatchRow, 0.0f);
+  }
+}
 
 std::optional<PatchTemplate> make_patch_template(const ImageLevels& image1, const PatchWarp& warp,
                                                  int radius) {
@@ -23,36 +80,30 @@ std::optional<PatchTemplate> make_patch_template(const ImageLevels& image1, cons
   const double reach = outer * A.cwiseAbs().rowwise().sum().maxCoeff();
   if (!is_inside(image1[level1], centre.x(), centre.y(), reach)) return std::nullopt;
 
-  std::array<float, kMaxPatchSide * kMaxPatchSide> wide;
-  for (int y = -outer, k = 0; y <= outer; ++y)
-    for (int x = -outer; x <= outer; ++x, ++k) {
-      const Eigen::Vector2f p = centre + A * Eigen::Vector2f(x, y);
-      wide[k] = sampled(image1[level1], p.x(), p.y());
+  PatchRows wide{};
+  for (int y = 0; y < outer_side; ++y)
+    for (int x = 0; x < outer_side; ++x) {
+      const Eigen::Vector2f p = centre + A * Eigen::Vector2f(x - outer, y - outer);
+      wide[y * kPatchRow + x] = sampled(image1[level1], p.x(), p.y());
     }
   PatchTemplate t;
   t.side = 2 * radius + 1;
-  float mean = 0;
-  for (int y = 0, k = 0; y < t.side; ++y)
-    for (int x = 0; x < t.side; ++x, ++k) {
-      const float* w = wide.data() + (y + 1) * outer_side + x + 1;
-      t.value[k] = w[0];
-      const Eigen::Vector2f gradient = gradient_at(w, outer_side);
-      t.gx[k] = gradient.x(), t.gy[k] = gradient.y();
-      mean += w[0];
+  gradients_inside(wide, t.side, t.gx, t.gy);
+  for (int y = 0; y < t.side; ++y)
+    for (int x = 0; x < kPatchRow; ++x) {
+      const int k = y * kPatchRow + x;
+      const bool is_inside = x < t.side;
+      t.inside[k] = is_inside ? 1.0f : 0.0f;
+      t.value[k] = is_inside ? wide[k + kPatchRow + 1] : 0;
+      t.mean += t.value[k];
     }
-  mean /= static_cast<float>(t.size());
-  Eigen::Matrix4f H = Eigen::Matrix4f::Zero();
-  for (int k = 0; k < t.size(); ++k) {
-    t.value[k] -= mean;
-    const Eigen::Vector4f J(t.gx[k], t.gy[k], t.value[k], 1);
-    H += J * J.transpose();
-  }
-  t.norm2 = H(2, 2);
-  t.H_place = H.topLeftCorner<2, 2>();
-  const float smaller = 0.5f * (H(0, 0) + H(1, 1) - std::hypot(H(0, 0) - H(1, 1), 2 * H(0, 1)));
+  t.mean /= static_cast<float>(t.size());
+  for (int k = 0; k < t.padded_size(); ++k) t.value[k] -= t.mean * t.inside[k];
+  t.H = products(t);
+  const float smaller = 0.5f * (t.H(0, 0) + t.H(1, 1) - std::hypot(t.H(0, 0) - t.H(1, 1), 2 * t.H(0, 1)));
   constexpr float kLeastGradient = 1.5f;  // grey levels a pixel, squared: camera noise alone has as much
   if (!(smaller > kLeastGradient * static_cast<float>(t.size()))) return std::nullopt;
-  t.H_inverse = H.inverse();
+  t.H_inverse = t.H.inverse();
   if (!t.H_inverse.allFinite()) return std::nullopt;
   return t;
 }

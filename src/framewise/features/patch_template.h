@@ -11,7 +11,9 @@
 
 namespace framewise {
 
-constexpr int kMaxPatchRadius = 7, kMaxPatchSide = 2 * kMaxPatchRadius + 3;
+// Of a patch, with a border of one pixel: row by row, each row of as many as are worked on side by side.
+constexpr int kMaxPatchRadius = 4, kPatchRow = 12;
+using PatchRows = std::array<float, kPatchRow * kPatchRow>;
 
 // Bilinear; the caller has made sure that the pixel and its neighbours are inside.
 inline float sampled(const cv::Mat& image, float u, float v) {
@@ -21,28 +23,39 @@ inline float sampled(const cv::Mat& image, float u, float v) {
   return (1 - b) * ((1 - a) * top[0] + a * top[1]) + b * ((1 - a) * low[0] + a * low[1]);
 }
 
-// Of a patch that is stored row by row: central differences.
-inline Eigen::Vector2f gradient_at(const float* value, int row_length) {
-  return {0.5f * (value[1] - value[-1]), 0.5f * (value[row_length] - value[-row_length])};
-}
-
 inline bool is_inside(const cv::Mat& image, double u, double v, double margin) {
   return u >= margin && v >= margin && u < image.cols - 1 - margin && v < image.rows - 1 - margin;
 }
 
-// The patch as image 2 should have it, and what it says about where it is: d = H^-1 J' r.
+// The patch as image 2 should have it, and what it says about where it is: d = H^-1 J' r. Zeros beyond each
+// row's end.
 struct PatchTemplate {
   int side = 0;
-  std::array<float, kMaxPatchSide * kMaxPatchSide> value, gx, gy;  // of the inner patch, zero mean
-  float norm2 = 0;                                                 // sum of value^2
-  Eigen::Matrix4f H_inverse;
-  Eigen::Matrix2f H_place;
+  float mean = 0;
+  PatchRows value, gx, gy, inside;  // less the mean; 1 inside
+  Eigen::Matrix4f H, H_inverse;
 
   int size() const { return side * side; }
+  int padded_size() const { return side * kPatchRow; }
+  float norm2() const { return H(2, 2); }  // sum of value^2
 };
 
 // Empty where the patch leaves image 1, has too little texture or is warped beyond use.
 std::optional<PatchTemplate> make_patch_template(const ImageLevels& image1, const PatchWarp& warp,
                                                  int radius);
+
+inline Eigen::Array4f four(const PatchRows& rows, int k) { return Eigen::Array4f::Map(rows.data() + k); }
+
+// Four pixels that were sampled, as the template has its own.
+inline Eigen::Array4f four_less_mean(const PatchRows& sampled, int k, const PatchTemplate& t) {
+  return (four(sampled, k) - t.mean) * four(t.inside, k);
+}
+
+// (2 radius + 1)^2 pixels around a place, bilinear; all and their neighbours are inside. What comes after the
+// end of a row is of no use.
+void sample_patch(const cv::Mat& image, const Eigen::Vector2f& place, int radius, PatchRows& values);
+
+// Central differences of a patch with a border, of the patch without.
+void gradients_inside(const PatchRows& wide, int side, PatchRows& gx, PatchRows& gy);
 
 }  // namespace framewise

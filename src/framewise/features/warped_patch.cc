@@ -18,15 +18,18 @@ struct Comparison {
   float sum = 0, squares = 0, product = 0;
 
   Comparison(const PatchTemplate& t, const cv::Mat& image, const Eigen::Vector2f& place) {
-    const int radius = t.side / 2;
-    for (int y = -radius, k = 0; y <= radius; ++y)
-      for (int x = -radius; x <= radius; ++x, ++k) {
-        const float value =
-            sampled(image, place.x() + static_cast<float>(x), place.y() + static_cast<float>(y));
-        const float r = value - t.value[k];
-        b += r * Eigen::Vector4f(t.gx[k], t.gy[k], t.value[k], 1);
-        sum += value, squares += value * value, product += value * t.value[k];
-      }
+    PatchRows values;
+    sample_patch(image, place, t.side / 2, values);
+    Eigen::Array4f with_gx = Eigen::Array4f::Zero(), with_gy = with_gx, with_value = with_gx, all = with_gx,
+                   squared = with_gx;
+    for (int k = 0; k < t.padded_size(); k += 4) {
+      const Eigen::Array4f value = four_less_mean(values, k, t);
+      with_gx += value * four(t.gx, k), with_gy += value * four(t.gy, k);
+      with_value += value * four(t.value, k);
+      all += value, squared += value * value;
+    }
+    sum = all.sum(), squares = squared.sum(), product = with_value.sum();
+    b = Eigen::Vector4f(with_gx.sum(), with_gy.sum(), product, sum) - t.H.col(2);
   }
 };
 
@@ -35,18 +38,16 @@ struct Comparison {
 Eigen::Matrix2d covariance_of_place(const PatchTemplate& t, const cv::Mat& image,
                                     const Eigen::Vector2f& place, float noise, float gain) {
   constexpr double kLeastTexture = 0.05;  // of the gradients' squares: nothing is known
-  const int radius = t.side / 2;
-  std::array<float, kMaxPatchSide * kMaxPatchSide> wide;
-  for (int y = -radius - 1, k = 0; y <= radius + 1; ++y)
-    for (int x = -radius - 1; x <= radius + 1; ++x, ++k)
-      wide[k] = sampled(image, place.x() + static_cast<float>(x), place.y() + static_cast<float>(y));
-  const int outer = t.side + 2;
-  Eigen::Matrix2f both = Eigen::Matrix2f::Zero();
-  for (int y = 0, k = 0; y < t.side; ++y)
-    for (int x = 0; x < t.side; ++x, ++k) {
-      const float* w = wide.data() + (y + 1) * outer + x + 1;
-      both += Eigen::Vector2f(t.gx[k], t.gy[k]) * gradient_at(w, outer).transpose();
-    }
+  PatchRows wide, gx, gy;
+  sample_patch(image, place, t.side / 2 + 1, wide);
+  gradients_inside(wide, t.side, gx, gy);
+  Eigen::Array4f xx = Eigen::Array4f::Zero(), xy = xx, yy = xx;
+  for (int k = 0; k < t.padded_size(); k += 4) {
+    xx += four(t.gx, k) * four(gx, k), yy += four(t.gy, k) * four(gy, k);
+    xy += four(t.gx, k) * four(gy, k) + four(t.gy, k) * four(gx, k);
+  }
+  Eigen::Matrix2f both;
+  both << xx.sum(), 0.5f * xy.sum(), 0.5f * xy.sum(), yy.sum();
   both /= gain;
   const Eigen::Matrix2d by_gradients = t.H_inverse.topLeftCorner<2, 2>().cast<double>();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
@@ -55,7 +56,8 @@ Eigen::Matrix2d covariance_of_place(const PatchTemplate& t, const cv::Mat& image
   for (int i = 0; i < 2; ++i) {
     const double squares = 1 / eigen.eigenvalues()[i];
     const Eigen::Vector2d v = eigen.eigenvectors().col(i);
-    const double all = v.dot(t.H_place.cast<double>() * v), shared = v.dot(both.cast<double>() * v);
+    const double all = v.dot(t.H.topLeftCorner<2, 2>().cast<double>() * v),
+                 shared = v.dot(both.cast<double>() * v);
     const double texture = std::clamp(shared / all, kLeastTexture, 1.0);
     variances[i] = noise / (squares * texture * texture);
   }
@@ -95,15 +97,15 @@ std::optional<TrackedPatch> track_patch(const ImageLevels& image1, const ImageLe
       const float n = static_cast<float>(t->size());
       const float variance2 = c.squares - c.sum * c.sum / n;
       // With a tenth of the contrast, and next to none, there is nothing to resemble.
-      if (!(variance2 > 0.01f * t->norm2 && variance2 > n)) return std::nullopt;
-      const float correlation = c.product / std::sqrt(std::max(1e-6f, variance2 * t->norm2));
+      if (!(variance2 > 0.01f * t->norm2() && variance2 > n)) return std::nullopt;
+      const float correlation = c.product / std::sqrt(std::max(1e-6f, variance2 * t->norm2()));
       if (!(correlation >= options.min_correlation)) return std::nullopt;
       const double to_pixels = std::ldexp(1.0, warp.level);
       TrackedPatch found{place.cast<double>() * to_pixels, correlation, {}};
       if (!options.measures_noise) return found;
       // What gain and offset leave of the difference is noise.
-      const float noise = (1 - correlation * correlation) * t->norm2 / std::max(1.0f, n - 4);
-      const float contrast = std::max(0.1f, c.product / t->norm2);
+      const float noise = (1 - correlation * correlation) * t->norm2() / std::max(1.0f, n - 4);
+      const float contrast = std::max(0.1f, c.product / t->norm2());
       found.noise_px =
           PlaceNoise::of(to_pixels * to_pixels * covariance_of_place(*t, image, place, noise, contrast));
       return found;

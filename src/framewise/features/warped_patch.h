@@ -18,7 +18,7 @@ using ImageLevels = std::vector<cv::Mat>;
 ImageLevels image_levels(const cv::Mat& gray, int count = 4);
 
 struct PatchTrackOptions {
-  int radius = 4;                // patches are (2 radius + 1)^2 pixels of the level they are compared on
+  int radius = 4;                // patches are (2 radius + 1)^2 pixels of the level; at most 4
   int max_iterations = 12;       // the steps shrink by ten or more each time where it succeeds at all
   double min_step_px = 0.02;     // done at a shorter step, in pixels of the level
   double max_shift = 4;          // one that wants to go farther was expected elsewhere: pixels of the level
