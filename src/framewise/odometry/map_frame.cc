@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framewise/odometry/map_frame.h"
 
+#include <utility>
+
 namespace framewise {
 
 namespace {
@@ -29,14 +31,21 @@ MapFrame look_at(const Frame& frame, std::size_t index) {
   return seen;
 }
 
-void describe(MapFrame& frame, const Camera& camera, const MapOptions& options) {
-  if (frame.is_described) return;
-  frame.is_described = true;
+void find_features(MapFrame& frame, const MapOptions& options) {
   if (frame.levels.empty()) return;
   FeatureOptions feature_options;
   feature_options.count = options.features;
   feature_options.spread = options.spread;
-  const Features found = extract_features(frame.levels[0], feature_options);
+  frame.found = extract_features(frame.levels[0], feature_options);
+}
+
+void describe(MapFrame& frame, const Camera& camera, const MapOptions& options) {
+  if (frame.is_described) return;
+  frame.is_described = true;
+  if (!frame.found) find_features(frame, options);
+  if (!frame.found) return;
+  const Features found = std::move(*frame.found);
+  frame.found.reset();
   frame.features.finest_size = found.finest_size;
   std::vector<int> kept;
   for (int i = 0; i < static_cast<int>(found.keypoints.size()); ++i) {

@@ -26,6 +26,7 @@ struct MapFrame {
   bool has_depth = false;             // kept when the image is let go
   double depth_delay = 0;
   bool is_described = false;
+  std::optional<Features> found;  // for describe to take, which chooses those that have a ray
 
   Eigen::Vector2d pixel(int feature) const {
     return {features.keypoints[feature].pt.x, features.keypoints[feature].pt.y};
@@ -34,6 +35,9 @@ struct MapFrame {
 
 // Without features, and without a depth image that tells nothing. Pure: frames are looked at side by side.
 MapFrame look_at(const Frame& frame, std::size_t index);
+
+// What describe looks for, ahead of it: needs no camera.
+void find_features(MapFrame& frame, const MapOptions& options);
 
 // Finds its features, unless it has them. Where a map foretells what a frame shows, patches are enough: only
 // keyframes and frames that are not where they were expected need features.

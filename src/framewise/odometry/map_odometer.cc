@@ -5,6 +5,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <exception>
 #include <memory>
 
@@ -31,6 +32,9 @@ MapRun run_map_odometry(const FrameSource& frames, const Camera& camera, const O
   camera.check();
   MapTracker tracker(camera, options, frames.known);
   std::size_t next = 0;
+  // Where the last frame needed features, so will the next as a rule: they are found while this one is
+  // placed.
+  std::atomic<bool> needs_features = false;
 
   const auto begin = [&](tbb::flow_control& flow) -> MapPassagePtr {
     if (next >= frames.size) return flow.stop(), nullptr;
@@ -44,6 +48,7 @@ MapRun run_map_odometry(const FrameSource& frames, const Camera& camera, const O
       const Frame frame = frames.load(passage->index);
       const double loaded = clock();
       passage->frame = std::make_shared<MapFrame>(look_at(frame, passage->index));
+      if (needs_features) find_features(*passage->frame, options.map);
       passage->seconds.load = loaded - start;
       passage->seconds.features = clock() - loaded;
     } catch (...) {
@@ -55,7 +60,9 @@ MapRun run_map_odometry(const FrameSource& frames, const Camera& camera, const O
     if (passage->failure) std::rethrow_exception(passage->failure);
     const double start = clock(), time = passage->frame->time;
     const char* input = passage->frame->levels.empty() ? "" : "color";
-    MapTrack track = tracker.add(std::move(passage->frame));
+    MapTrack track = tracker.add(passage->frame);
+    needs_features = passage->frame->is_described;
+    passage->frame.reset();
     passage->seconds.step = clock() - start;
     if (taps.pair && passage->index > 0) taps.pair(passage->index - 1, passage->index, track.seen);
     sink({passage->index, time, std::move(track.step), track.world_from_cam, passage->seconds, input});
