@@ -19,18 +19,26 @@ std::vector<int> all_features(const MapFrame& frame) {
   return all;
 }
 
-double median_parallax(const Eigen::Matrix3d& R, const std::vector<Eigen::Vector3d>& x1,
-                       const std::vector<Eigen::Vector3d>& x2, const std::vector<std::uint8_t>& inliers) {
+std::vector<double> parallaxes(const Eigen::Matrix3d& R, const std::vector<Eigen::Vector3d>& x1,
+                               const std::vector<Eigen::Vector3d>& x2,
+                               const std::vector<std::uint8_t>& inliers) {
   std::vector<double> angles;
   for (std::size_t i = 0; i < x1.size(); ++i)
     if (inliers[i]) angles.push_back(parallax(R, x1[i], x2[i]));
-  if (angles.empty()) return 0;
-  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-  std::nth_element(angles.begin(), middle, angles.end());
-  return *middle;
+  return angles;
 }
 
 }  // namespace
+
+bool shows_motion(const std::vector<double>& angles, double direction_variance,
+                  const TwoViewOptions& options) {
+  const double least = options.min_parallax_deg * M_PI / 180;
+  const auto showing = static_cast<int>(
+      std::count_if(angles.begin(), angles.end(), [&](double angle) { return angle >= least; }));
+  const double sure = options.sure_direction_deg * M_PI / 180;
+  return 2 * showing >= static_cast<int>(angles.size()) ||
+         (showing >= options.min_points && direction_variance <= sure * sure);
+}
 
 TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2, const Camera& camera,
                                   const TwoViewOptions& options) {
@@ -63,8 +71,10 @@ TwoViewStart start_from_two_views(const MapFrame& frame1, const MapFrame& frame2
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (estimate->inliers[i]) start.agreeing.push_back(pairs[i]);
   if (estimate->kind != EstimateKind::kFull) return start;
-  const double angle = median_parallax(estimate->cam2_from_cam1.R, x1, x2, estimate->inliers);
-  if (angle < options.min_parallax_deg * M_PI / 180) return start;
+  const double direction_variance = estimate->covariance.bottomRightCorner<3, 3>().trace();
+  if (!shows_motion(parallaxes(estimate->cam2_from_cam1.R, x1, x2, estimate->inliers), direction_variance,
+                    options))
+    return start;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (!estimate->inliers[i]) continue;
     auto point =

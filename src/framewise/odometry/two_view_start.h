@@ -14,14 +14,20 @@ struct TwoViewOptions {
   double max_error_px = 1.5;  // Sampson's, of a pair that agrees
   int min_pairs = 40;         // fewer agree by chance, or see too little of the image
   int min_points = 40;        // triangulated, for a map to begin with
-  // Median angle between the rays of a point (deg): a smaller one tells the camera's turn from its motion too
-  // badly to build on.
-  double min_parallax_deg = 0.4;
+  // Angle between the rays of a point (deg) that half of the points must have: smaller ones tell the camera's
+  // turn from its motion too badly to build on. min_points are enough where the direction of the motion is as
+  // sure as this (deg, one sigma): before a road, most is far.
+  double min_parallax_deg = 0.4, sure_direction_deg = 0.5;
   double farthest = 0.25;  // that a feature may move from one to the other, of an image's width
   RansacOptions ransac;
 };
 
 // How two cameras without depth stand to each other.
+// Whether a motion is told from a turn by the angles (rad) between the rays of its points, and the variance
+// of its direction (rad^2).
+bool shows_motion(const std::vector<double>& angles, double direction_variance,
+                  const TwoViewOptions& options);
+
 struct TwoViewStart {
   enum class Kind {
     kUnrelated,    // they see too little in common

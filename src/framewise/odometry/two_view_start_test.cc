@@ -21,6 +21,20 @@ TwoViewStart start(const Pose& world_from_cam2) {
   return start_from_two_views(described({}), described(world_from_cam2), Boxes::camera(), {});
 }
 
+TEST(ShowsMotion, ByHalfOfThePointsOrByEnoughOfThemWhereTheDirectionIsSure) {
+  const TwoViewOptions options;
+  const double deg = M_PI / 180, sure = 0.1 * deg, unsure = 1 * deg;
+  const auto angles = [&](int near, int far) {
+    std::vector<double> all(near, 2 * options.min_parallax_deg * deg);
+    all.resize(near + far, 0.1 * options.min_parallax_deg * deg);
+    return all;
+  };
+  EXPECT_TRUE(shows_motion(angles(60, 50), unsure * unsure, options));
+  EXPECT_FALSE(shows_motion(angles(50, 300), unsure * unsure, options));
+  EXPECT_TRUE(shows_motion(angles(50, 300), sure * sure, options));
+  EXPECT_FALSE(shows_motion(angles(options.min_points - 1, 300), sure * sure, options));
+}
+
 TEST(StartFromTwoViews, MotionToTheSideGivesItsDirectionAndPoints) {
   const Pose world_from_cam2{so3_exp({0, -0.03, 0}), {0.15, 0.02, 0.03}};
   const auto found = start(world_from_cam2);
