@@ -4,13 +4,13 @@
 """The default odometer on simulated recordings, and on the real ones in ../shared/data where they are: the tables of
 docs/odometer.md.
 
-    pip install numpy
+    pip install numpy opencv-python
     bench/odometry.py build/release/bin/framewise FOLDER                    # all groups, a row a recording
     bench/odometry.py build/release/bin/framewise FOLDER race large         # some
     bench/odometry.py build/release/bin/framewise FOLDER -- --shrink false  # with options of framewise run
     bench/odometry.py build/release/bin/framewise FOLDER --ablation         # a row a part of the odometer left out
 
-Recordings that are not in FOLDER are simulated into it first (3 GiB in all). A row says how many frames were
+Recordings that are not in FOLDER are simulated into it first, or made from others (recordings.py; 5 GiB in all). A row says how many frames were
 measured, ATE of the causal and the final trajectory, its share of the path, the relative error a frame and over one
 second (all pairs), NEES of the steps (mean and median over frames of the mean of its six numbers; 1 is right) and
 frames a second with decoding.
@@ -25,6 +25,8 @@ import sys
 
 import numpy as np
 
+import recordings as made
+
 KINECT = ["--depth", "kinect", "--photons", 2000]
 SEEN = [(kind, seed, noise) for kind, noise in (("kinect", KINECT), ("exact", [])) for seed in (1, 2, 3)]
 BLURRED = ["--frames", 90, "--exposure-time", 0.01]
@@ -32,7 +34,7 @@ HZ_3, HZ_1_5 = ["--frames", 90, "--rate", 3, *KINECT], ["--frames", 60, "--rate"
 MINE = ["--headlamp", 12]
 REAL = pathlib.Path(__file__).resolve().parents[2] / "shared" / "data"
 
-# group -> recording -> scene and options of framewise simulate; or a folder
+# group -> recording -> scene and options of framewise simulate; or a folder; or how it is made from another
 GROUPS = {
     "room": {f"room_{kind}_{seed}": ["room", "--seed", seed, "--frames", 150, *noise] for kind, seed, noise in SEEN},
     "corridor": {f"corridor_{kind}_{seed}": ["corridor", "--seed", seed, "--frames", 150, *noise]
@@ -52,6 +54,31 @@ GROUPS = {
     "real": {"fr1_rpy": REAL / "tum_fr1_rpy_000_080", "kitchen": REAL / "7scenes_redkitchen_000_150",
              "kitti_07": REAL / "kitti07_160"},
 }
+GROUPS["holes"] = {f"{name}_holes": (made.with_holes, name) for name in
+                   ("corridor_3hz_12", "corridor_3hz_31", "mine_3hz_33", "room_1.5hz_34", "room_3hz_35")}
+GROUPS["events"] = {
+    "room_black": (made.darkened, "room_kinect_1", 60, 90),
+    "corridor_black": (made.darkened, "corridor_kinect_1", 60, 90),
+    "room_wall": (made.behind_wall, "room_kinect_1", 60),
+    "room_gap": (made.with_gap, "room_kinect_1", 60, 75),
+    "corridor_gap": (made.with_gap, "corridor_kinect_1", 60, 75),
+    "room_no_depth": (made.darkened, "room_kinect_1", 60, 110, False),
+    "corridor_no_depth": (made.darkened, "corridor_kinect_1", 60, 110, False),
+    "race_black": (made.darkened, "race_kinect_1", 30, 50),
+    "room_black_mono": (made.darkened, "room_kinect_1_mono", 60, 90),
+    "room_gap_mono": (made.with_gap, "room_kinect_1_mono", 60, 75),
+}
+GROUPS["mono"] = {f"{name}_mono": (made.without_depth, name) for name in
+                  ("room_kinect_1", "room_kinect_2", "corridor_kinect_1", "corridor_kinect_2", "race_exact_1", "race_exact_3",
+                   "corridor_3hz_12", "mine_3hz_33", "room_3hz_35", "room_1.5hz_11", "room_1.5hz_34")}
+ROADS = {"30": (30, 700, 1), "22": (22, 180, 1), "25": (25, 400, 2), "33": (33, 1000, 3), "20": (20, 120, 4)}
+GROUPS["motorway"] = {f"motorway_{name}_mono": (made.without_depth, f"motorway_{name}") for name in ROADS}
+GROUPS["kitti"] = {f"kitti_{every}_{first}": (made.of_kitti, "kitti_07", range(first, 160, every))
+                   for every, first in ((2, 0), (3, 0), (4, 0), (4, 2), (5, 0), (5, 2), (6, 0), (7, 0), (8, 0))}
+GROUPS["kitti"] |= {"kitti_from_48": (made.of_kitti, "kitti_07", range(48, 160)),
+                    "kitti_stands": (made.of_kitti, "kitti_07", [*range(50), *40 * [50], *range(51, 120)]),
+                    "kitti_10_black": (made.of_kitti, "kitti_07", range(160), range(60, 70)),
+                    "kitti_30_black": (made.of_kitti, "kitti_07", range(160), range(60, 90))}
 
 ABLATION = {
     "the default": [],
@@ -85,20 +112,43 @@ def standing_still(folder):
     return file
 
 
+def simulated(framewise, folder, name, *options):
+    data = folder / name
+    if not (data / "simulation.json").exists():
+        command(framewise, "simulate", *options, "--out", data, "--quiet")
+    return data
+
+
+def road(framewise, folder, name):
+    speed, least_radius, seed = ROADS[name.removeprefix("motorway_")]
+    mesh, path = made.motorway(folder / f"{name}_mesh", speed, least_radius, seed=seed)
+    return simulated(framewise, folder, name, "--mesh", mesh, "--path", path, "--rate", 10, "--photons", 2000,
+                     "--width", 1240, "--height", 376, "--depth-max", 200)
+
+
+def recording(framewise, folder, name):
+    """Its folder, made first where that is needed; None where a real one it needs is not there."""
+    if name.startswith("motorway_") and not name.endswith("_mono"):
+        return road(framewise, folder, name)
+    made_by = next(group[name] for group in GROUPS.values() if name in group)
+    if isinstance(made_by, pathlib.Path):
+        return made_by if made_by.is_dir() else None
+    if isinstance(made_by, list):
+        path = ["--path", standing_still(folder)] if name == "standing" else []
+        return simulated(framewise, folder, name, *made_by, *path)
+    make, source, *arguments = made_by
+    source, data = recording(framewise, folder, source), folder / name
+    if source and not data.exists():
+        make(source, data, *arguments)
+    return source and data
+
+
 def recordings(framewise, folder, group):
-    """Name and folder of each that is there; those that can be are simulated first."""
-    for name, made_by in GROUPS[group].items():
-        if isinstance(made_by, pathlib.Path):
-            if made_by.is_dir():
-                yield name, made_by
-            else:
-                print(f"{name}: skipped, there is no {made_by}", file=sys.stderr)
-            continue
-        data = folder / name
-        if not (data / "simulation.json").exists():
-            path = ["--path", standing_still(folder)] if group == "standing" else []
-            command(framewise, "simulate", *made_by, *path, "--out", data, "--quiet")
-        yield name, data
+    for name in GROUPS[group]:
+        if data := recording(framewise, folder, name):
+            yield name, data
+        else:
+            print(f"{name}: skipped, {REAL} lacks what it is made of", file=sys.stderr)
 
 
 def rotations(quaternions):
@@ -125,7 +175,7 @@ def rotation_vectors(R):
 
 def nees_of_steps(data, out):
     """A step's squared error over its covariance, over its six numbers, of each simulated frame that is `ok`."""
-    if not (data / "simulation.json").exists():
+    if not (data / "simulation.json").exists() or not (data / "depth.txt").exists():
         return []
     truth, estimate = np.loadtxt(data / "groundtruth.txt"), np.loadtxt(out / "trajectory.tum", ndmin=2)
     nearest = np.abs(truth[:, 0][None, :] - estimate[:, 0][:, None]).argmin(axis=1)
@@ -150,7 +200,8 @@ def measure(framewise, folder, name, data, options):
     run = json.loads((out / "run.json").read_text())
     causal, final = run["evaluation"], run.get("evaluation_final") or run["evaluation"]
     has_depth = run["dataset"]["frames_with_depth"] > 0
-    second = [] if not has_depth or name in GROUPS["large"] else command(
+    slow = name in GROUPS["large"] or name in GROUPS["holes"]
+    second = [] if not has_depth or slow else command(
         framewise, "evaluate", data, out / "trajectory.tum", "--delta", 1, "--unit", "seconds", "--pairs", "all", "--json")
     return {"run": run, "ate": causal["ate"]["rmse"], "final": final["ate"]["rmse"], "path": causal["path_length"],
             "rpe": causal["rpe"], "second": json.loads(second)["rpe"] if second else None,
@@ -174,7 +225,7 @@ def table(framewise, folder, groups, options):
             print(f"| {name} | {statuses} | {1000 * row['ate']:.2f}, {1000 * row['final']:.2f} "
                   f"| {row['ate'] / row['path'] if row['path'] else 0:.4%} | {mm_deg(row['rpe'])} | {mm_deg(row['second'])} | {nees} "
                   f"| {row['run']['frames_per_second']:.1f} |", flush=True)
-        if len(rows) > 1 and group != "real":
+        if len(rows) > 1 and group not in ("real", "events"):
             print(f"| **{group}**, geometric means | | {1000 * geometric_mean(rows, 'ate'):.2f}, "
                   f"{1000 * geometric_mean(rows, 'final'):.2f} | | {1000 * mean_step(rows, 'translation'):.2f}, "
                   f"{mean_step(rows, 'rotation_deg'):.4f} | | {np.mean([np.mean(row['nees']) for row in rows]):.2f} | |")

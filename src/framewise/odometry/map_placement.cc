@@ -263,8 +263,12 @@ std::optional<Placed> place_by_views(const MapFrame& frame, FrameView& frame_vie
     const Placed far = place_near(frame, from, keyframes, kFar, kFew, view);
     if (is_credible(far, map_options)) from = far.pose.cam_from_reference;
   }
-  const Placed in_map = look_nearby(frame, from, keyframes, view, kFewWillDo);
-  if (is_credible(in_map, map_options, kFewWillDo)) return in_map;
+  // Long ago the camera was elsewhere: features that hardly tell how far do not vouch for a place.
+  const bool tells_too_little = found->is_far && earlier.frame().time < view.time_before;
+  const double least_found = tells_too_little ? kMoreThanChance : kFewWillDo;
+  const Placed in_map = look_nearby(frame, from, keyframes, view, least_found);
+  if (is_credible(in_map, map_options, least_found)) return in_map;
+  if (tells_too_little) return std::nullopt;
   if (!found->is_guess) return placed;
   if (earlier.frame().depth.empty()) return std::nullopt;
   Placed turned = placed;

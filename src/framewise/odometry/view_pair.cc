@@ -200,6 +200,7 @@ std::optional<ViewPose> pose_from_views(FrameView& first, FrameView& second, con
   found.pose.num_inliers = two_views.inliers;
   found.pose.inliers.assign(two_views.pairs, 1);
   found.pose.cam_from_reference = two_views.cam2_from_cam1;
+  found.is_far = two_views.support != EstimateKind::kFull;
   Matrix6d& C = found.pose.covariance = two_views.covariance;
   Eigen::Vector3d& t = found.pose.cam_from_reference.t;
   MotionLength length{prior.t.norm(), 1};

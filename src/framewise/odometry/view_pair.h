@@ -48,6 +48,7 @@ std::optional<KnownTranslation> translation_by_known(const TwoViewStart& two_vie
 struct ViewPose {
   MapPose pose;
   bool is_guess = false;  // its translation, in length or in all
+  bool is_far = false;    // what both see, or right ahead: it shows a turn and hardly a translation
 };
 
 // pose_from_pair's twin for a first frame without depth, or with little: five points in RANSAC on features

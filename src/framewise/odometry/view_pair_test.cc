@@ -51,6 +51,7 @@ TEST(PoseFromViews, AMotionThatNothingForetellsHasTheUnitOfTheDepthsThatAreKnown
   for (const double unit : {1.0, 3.7}) {
     const auto found = frames.pose(frames.known(unit));
     ASSERT_TRUE(found);
+  EXPECT_FALSE(found->is_far);
     EXPECT_FALSE(found->is_guess);
     const Pose world_from_cam = found->pose.cam_from_reference.inverse();
     EXPECT_LT((world_from_cam.t / unit - kWide.t).norm(), 0.03);
@@ -64,6 +65,7 @@ TEST(PoseFromViews, ATurnIsATurnAndInventsNoMotion) {
   TwoFrames frames(turned);
   const auto found = frames.pose(frames.known(1), {Eigen::Matrix3d::Identity(), {0.3, 0, 0}});
   ASSERT_TRUE(found);
+  EXPECT_TRUE(found->is_far);
   EXPECT_LT(rotation_angle(found->pose.cam_from_reference.R * turned.R), 0.004);
   if (!found->is_guess) {
     EXPECT_LT(found->pose.cam_from_reference.t.norm(), 0.02);
