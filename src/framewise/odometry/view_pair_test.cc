@@ -51,7 +51,7 @@ TEST(PoseFromViews, AMotionThatNothingForetellsHasTheUnitOfTheDepthsThatAreKnown
   for (const double unit : {1.0, 3.7}) {
     const auto found = frames.pose(frames.known(unit));
     ASSERT_TRUE(found);
-  EXPECT_FALSE(found->is_far);
+    EXPECT_FALSE(found->is_far);
     EXPECT_FALSE(found->is_guess);
     const Pose world_from_cam = found->pose.cam_from_reference.inverse();
     EXPECT_LT((world_from_cam.t / unit - kWide.t).norm(), 0.03);
