@@ -74,9 +74,9 @@ Matrix6d shown_by_residuals(const std::vector<PlacedBy>& points, const Gains& ga
   return symmetric(inverse * sum * inverse.transpose());
 }
 
-// A with A C A' = the mean of C and of another covariance.
-Matrix6d to_mean(const Matrix6d& C, const Matrix6d& other) {
-  const Eigen::LLT<Matrix6d> from(C), to(0.5 * (C + other));
+// A with A C A' = another covariance.
+Matrix6d between(const Matrix6d& C, const Matrix6d& other) {
+  const Eigen::LLT<Matrix6d> from(C), to(other);
   if (from.info() != Eigen::Success || to.info() != Eigen::Success) return Matrix6d::Identity();
   const Matrix6d L = to.matrixL();
   return L * Matrix6d(from.matrixL()).inverse();
@@ -163,7 +163,7 @@ void PoseErrors::placed(const Pose& world_from_cam, const std::vector<PlacedBy>&
   noise = inverse * noise * inverse.transpose();
   repeated = inverse * repeated * inverse.transpose();
   const Matrix6d shown = shown_by_residuals(points, gains, inverse, world_from_cam);
-  const Matrix6d A = to_mean(noise + repeated, shown);
+  const Matrix6d A = between(noise + repeated, shown);
   noise = A * noise * A.transpose();
   repeated = A * repeated * A.transpose();
 
