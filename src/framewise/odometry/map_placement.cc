@@ -91,63 +91,6 @@ std::optional<FirstPose> find_first_pose(const MapFrame& frame, const Pose& pred
   return best;
 }
 
-}  // namespace
-
-Shutter shutter_of(const Pose& cam_from_before, double time, const MapView& view) {
-  return {view.options.map.unskew ? view.readout : 0,
-          view.turns.rate(cam_from_before.R, view.world_from_before.R, view.time_before, time)};
-}
-
-double shown_noise_px(const Placed& placed, const MapOptions& options) {
-  return placed.pose.ray_scale * options.least_sigma_px;
-}
-
-bool is_credible(const Placed& placed, const MapOptions& options, double least_found) {
-  constexpr double kMostNoisePx = 1.5;
-  const int found = static_cast<int>(placed.matches.size());
-  return placed.pose.num_inliers >= options.min_inliers && 2 * placed.pose.num_inliers >= found &&
-         found >= least_found * placed.sought && placed.pose.covariance.allFinite() &&
-         shown_noise_px(placed, options) < kMostNoisePx;
-}
-
-bool explains_better(const Placed& one, const Placed& other) {
-  const auto information = [](const MapPose& pose) {
-    return pose.num_inliers / (pose.ray_scale * pose.ray_scale);
-  };
-  return information(one.pose) > information(other.pose);
-}
-
-Placed place_near(const MapFrame& frame, const Pose& cam_from_before, const std::vector<int>& keyframes,
-                  int coarser, int max_points, const MapView& view) {
-  Placed placed;
-  placed.pose.cam_from_reference = cam_from_before;
-  const Pose world_from_cam = view.world_from_before * cam_from_before.inverse();
-  placed.shutter = shutter_of(cam_from_before, frame.time, view);
-  constexpr double kSettledPx = 2;  // half of what patches find
-  const auto visible =
-      settled(points_in_view(view.map, keyframes, world_from_cam, view.camera, placed.shutter), kSettledPx);
-  placed.points =
-      track_map_points(view.map, visible, frame, world_from_cam, view.camera, coarser, max_points);
-  placed.sought = std::min(max_points, static_cast<int>(visible.size()));
-  placed.matched = static_cast<int>(placed.points.size());
-  if (placed.matched < view.options.map.min_inliers) return placed;
-  const Pose to_depth = depth_from_cam(frame, cam_from_before, view);
-  for (const TrackedPoint& point : placed.points) {
-    const double row = row_of(view.camera, point.pixel.y());
-    MapMatch match = match_of(point.ref, point.ray, row, point.noise_px, placed.shutter, view);
-    if (const auto plane = depth_along(frame, point.ray, to_depth, view.camera, view.options)) {
-      match.z = placed.shutter.depth_at_middle(point.ray, row, plane->z);
-      match.z_share = plane->noise_share;
-    }
-    set_skew(point.ref, cam_from_before.R, row, placed.shutter, view, match);
-    placed.matches.push_back(match);
-  }
-  placed.pose = refine_map_pose(placed.matches, cam_from_before, view.options.depth_noise);
-  return placed;
-}
-
-namespace {
-
 // All patches around where a pose has them, and again from the pose that they give while that is so far off
 // the other that many may have been missed.
 Placed look_nearby(const MapFrame& frame, Pose cam_from_before, const std::vector<int>& keyframes,
@@ -206,6 +149,59 @@ Placed as_placed(const MapPose& pair, const MapFrame& frame, const Pose& world_f
 }
 
 }  // namespace
+
+Shutter shutter_of(const Pose& cam_from_before, double time, const MapView& view) {
+  return {view.options.map.unskew ? view.readout : 0,
+          view.turns.rate(cam_from_before.R, view.world_from_before.R, view.time_before, time)};
+}
+
+double shown_noise_px(const Placed& placed, const MapOptions& options) {
+  return placed.pose.ray_scale * options.least_sigma_px;
+}
+
+bool is_credible(const Placed& placed, const MapOptions& options, double least_found) {
+  constexpr double kMostNoisePx = 1.5;
+  const int found = static_cast<int>(placed.matches.size());
+  return placed.pose.num_inliers >= options.min_inliers && 2 * placed.pose.num_inliers >= found &&
+         found >= least_found * placed.sought && placed.pose.covariance.allFinite() &&
+         shown_noise_px(placed, options) < kMostNoisePx;
+}
+
+bool explains_better(const Placed& one, const Placed& other) {
+  const auto information = [](const MapPose& pose) {
+    return pose.num_inliers / (pose.ray_scale * pose.ray_scale);
+  };
+  return information(one.pose) > information(other.pose);
+}
+
+Placed place_near(const MapFrame& frame, const Pose& cam_from_before, const std::vector<int>& keyframes,
+                  int coarser, int max_points, const MapView& view) {
+  Placed placed;
+  placed.pose.cam_from_reference = cam_from_before;
+  const Pose world_from_cam = view.world_from_before * cam_from_before.inverse();
+  placed.shutter = shutter_of(cam_from_before, frame.time, view);
+  constexpr double kSettledPx = 2;  // half of what patches find
+  const auto visible =
+      settled(points_in_view(view.map, keyframes, world_from_cam, view.camera, placed.shutter), kSettledPx);
+  placed.points =
+      track_map_points(view.map, visible, frame, world_from_cam, view.camera, coarser, max_points);
+  placed.sought = std::min(max_points, static_cast<int>(visible.size()));
+  placed.matched = static_cast<int>(placed.points.size());
+  if (placed.matched < view.options.map.min_inliers) return placed;
+  const Pose to_depth = depth_from_cam(frame, cam_from_before, view);
+  for (const TrackedPoint& point : placed.points) {
+    const double row = row_of(view.camera, point.pixel.y());
+    MapMatch match = match_of(point.ref, point.ray, row, point.noise_px, placed.shutter, view);
+    if (const auto plane = depth_along(frame, point.ray, to_depth, view.camera, view.options)) {
+      match.z = placed.shutter.depth_at_middle(point.ray, row, plane->z);
+      match.z_share = plane->noise_share;
+    }
+    set_skew(point.ref, cam_from_before.R, row, placed.shutter, view, match);
+    placed.matches.push_back(match);
+  }
+  placed.pose = refine_map_pose(placed.matches, cam_from_before, view.options.depth_noise);
+  return placed;
+}
 
 std::optional<Placed> place(MapFrame& frame, const Pose& predicted, const MapView& view,
                             std::optional<Placed>& unsure) {

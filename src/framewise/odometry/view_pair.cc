@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <span>
 
 #include "framewise/geometry/so3.h"
+#include "framewise/robust/sampler.h"
 
 namespace framewise {
 namespace {
@@ -156,12 +156,13 @@ std::optional<KnownTranslation> translation_by_known(const TwoViewStart& two_vie
   const int count = static_cast<int>(points.size());
   if (count < kFewest) return std::nullopt;
   constexpr int kTries = 100;
-  std::mt19937_64 random(seed);
+  RandomStream random(seed);
+  std::array<std::uint32_t, 2> sample{};
   Eigen::Vector3d best = Eigen::Vector3d::Zero();
   int most = 0;
   for (int i = 0; i < kTries; ++i) {
-    const TurnedPoint &one = points[random() % points.size()], &other = points[random() % points.size()];
-    const auto t = solve(std::array{one, other});
+    draw_distinct(points.size(), sample, random);
+    const auto t = solve(std::array{points[sample[0]], points[sample[1]]});
     if (!t) continue;
     const auto agreeing = std::count_if(points.begin(), points.end(),
                                         [&](const TurnedPoint& point) { return point.agrees(*t); });
