@@ -228,7 +228,7 @@ def table(framewise, folder, groups, options):
         if len(rows) > 1 and group not in ("real", "events"):
             print(f"| **{group}**, geometric means | | {1000 * geometric_mean(rows, 'ate'):.2f}, "
                   f"{1000 * geometric_mean(rows, 'final'):.2f} | | {1000 * mean_step(rows, 'translation'):.2f}, "
-                  f"{mean_step(rows, 'rotation_deg'):.4f} | | {np.mean([np.mean(row['nees']) for row in rows]):.2f} | |")
+                  f"{mean_step(rows, 'rotation_deg'):.4f} | | {mean_nees(rows)} | |")
 
 
 def geometric_mean(rows, key):
@@ -237,6 +237,11 @@ def geometric_mean(rows, key):
 
 def mean_step(rows, key):
     return float(np.exp(np.mean([np.log(row["rpe"][key]["rmse"]) for row in rows])))
+
+
+def mean_nees(rows):
+    means = [np.mean(row["nees"]) for row in rows if row["nees"]]
+    return f"{np.mean(means):.2f}" if means else ""
 
 
 def ablation(framewise, folder):
