@@ -152,10 +152,12 @@ Hypotheses<DepthRatios, 4> depth_ratios(const Triangle& s) {
 }
 
 // v times a factor that is 1 / |v| up to a few digits, made a unit vector: a Newton step of the reciprocal
-// root.
+// root. Of flat triangles the area is not known to so many.
 Eigen::Vector3d unit(const Eigen::Vector3d& v, double inverse_length) {
+  constexpr double kFewDigits = 1e-6;
   const Eigen::Vector3d u = v * inverse_length;
-  return u * (1.5 - 0.5 * u.squaredNorm());
+  const double square = u.squaredNorm();
+  return std::abs(square - 1) < kFewDigits ? Eigen::Vector3d(u * (1.5 - 0.5 * square)) : v.normalized();
 }
 
 // Frame of a triangle: unit vectors along edge a, in the triangle's plane, and along its normal a x b.
@@ -176,7 +178,8 @@ Hypotheses<Pose, 4> abspose_p3p(const std::array<Bearing, 3>& x, const std::arra
   const Triangle sides{X12.squaredNorm(), X13.squaredNorm(), (X[2] - X[1]).squaredNorm(),
                        x[0].dot(x[1]),    x[0].dot(x[2]),    x[1].dot(x[2])};
   const double double_area2 = X12.cross(X13).squaredNorm();
-  if (!(double_area2 > 1e-20 * sides.a12 * sides.a13)) return poses;
+  constexpr double kLeastSine2 = 1e-14;  // a flatter triangle has no normal to speak of
+  if (!(double_area2 > kLeastSine2 * sides.a12 * sides.a13)) return poses;
   const double inverse_length = 1 / std::sqrt(sides.a12), inverse_double_area = 1 / std::sqrt(double_area2);
   const Eigen::Matrix3d world = frame(X12, X13, inverse_length, inverse_double_area).transpose();
 

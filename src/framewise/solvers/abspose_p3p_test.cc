@@ -89,6 +89,26 @@ TEST(P3p, IsEmptyOnCollinearRepeatedAndNaNPoints) {
   EXPECT_TRUE(abspose_p3p({x[0], Bearing::Constant(NAN), x[2]}, {{{0, 0, 1}, {1, 0, 1}, {2, 2, 3}}}).empty());
 }
 
+// Bearings with noise of flat triangles need not belong to any triangle of their sides and area.
+TEST(P3p, FlatTrianglesWithNoiseGiveRotationsOrNone) {
+  Random random(7);
+  int poses = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const double flat = std::pow(10, random.uniform(-7, -0.5));
+    Points X;
+    X[0] = Eigen::Vector3d(0, 0, 4) + random.normal3();
+    X[1] = X[0] + random.normal3();
+    X[2] = X[0] + random.uniform(-2, 2) * (X[1] - X[0]) + flat * random.normal3();
+    Bearings x;
+    for (int i = 0; i < 3; ++i) x[i] = (X[i] + 0.01 * random.normal3()).normalized();
+    for (const Pose& pose : abspose_p3p(x, X)) {
+      ++poses;
+      EXPECT_LT((pose.R * pose.R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-8);
+    }
+  }
+  EXPECT_GT(poses, 1000);
+}
+
 TEST(P3p, RepeatedOrCollinearBearingsGiveFinitePosesOrNone) {
   const Points X{{{0, 0, 1}, {1, 0, 2}, {0, 1, 3}}};
   const Bearing a = Bearing(0.1, 0, 1).normalized(), b = Bearing(0.3, 0, 1).normalized();
