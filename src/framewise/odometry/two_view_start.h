@@ -22,12 +22,12 @@ struct TwoViewOptions {
   RansacOptions ransac;
 };
 
-// How two cameras without depth stand to each other.
 // Whether a motion is told from a turn by the angles (rad) between the rays of its points, and the variance
 // of its direction (rad^2).
 bool shows_motion(const std::vector<double>& angles, double direction_variance,
                   const TwoViewOptions& options);
 
+// How two cameras without depth stand to each other.
 struct TwoViewStart {
   enum class Kind {
     kUnrelated,    // they see too little in common

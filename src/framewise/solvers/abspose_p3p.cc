@@ -152,12 +152,12 @@ Hypotheses<DepthRatios, 4> depth_ratios(const Triangle& s) {
 }
 
 // v times a factor that is 1 / |v| up to a few digits, made a unit vector: a Newton step of the reciprocal
-// root. Of flat triangles the area is not known to so many.
+// root. Of flat triangles the area is not known to so many. Not finite where there is no direction.
 Eigen::Vector3d unit(const Eigen::Vector3d& v, double inverse_length) {
   constexpr double kFewDigits = 1e-6;
   const Eigen::Vector3d u = v * inverse_length;
   const double square = u.squaredNorm();
-  return std::abs(square - 1) < kFewDigits ? Eigen::Vector3d(u * (1.5 - 0.5 * square)) : v.normalized();
+  return std::abs(square - 1) < kFewDigits ? Eigen::Vector3d(u * (1.5 - 0.5 * square)) : v / v.norm();
 }
 
 // Frame of a triangle: unit vectors along edge a, in the triangle's plane, and along its normal a x b.
