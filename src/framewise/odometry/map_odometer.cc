@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "framewise/odometry/map_tracker.h"
+#include "framewise/odometry/pipeline_failure.h"
 
 namespace framewise {
 namespace {
@@ -19,7 +20,7 @@ struct MapPassage {
   std::size_t index = 0;
   std::shared_ptr<MapFrame> frame;
   StageSeconds seconds;
-  std::exception_ptr failure;  // kept until all earlier frames have been handed over
+  std::exception_ptr failure;  // pipeline_failure.h
 };
 using MapPassagePtr = std::shared_ptr<MapPassage>;
 
@@ -36,14 +37,16 @@ MapRun run_map_odometry(const FrameSource& frames, const Camera& camera, const O
   // placed.
   std::atomic<bool> needs_features = false;
 
+  PipelineFailure failure;
+
   const auto begin = [&](tbb::flow_control& flow) -> MapPassagePtr {
-    if (next >= frames.size) return flow.stop(), nullptr;
+    if (next >= frames.size || failure.happened()) return flow.stop(), nullptr;
     auto passage = std::make_shared<MapPassage>();
     passage->index = next++;
     return passage;
   };
   const auto open = [&](MapPassagePtr passage) {
-    try {
+    attempt(*passage, [&] {
       const double start = clock();
       const Frame frame = frames.load(passage->index);
       const double loaded = clock();
@@ -51,21 +54,20 @@ MapRun run_map_odometry(const FrameSource& frames, const Camera& camera, const O
       if (needs_features) find_features(*passage->frame, options.map);
       passage->seconds.load = loaded - start;
       passage->seconds.features = clock() - loaded;
-    } catch (...) {
-      passage->failure = std::current_exception();
-    }
+    });
     return passage;
   };
   const auto place = [&](MapPassagePtr passage) {
-    if (passage->failure) std::rethrow_exception(passage->failure);
-    const double start = clock(), time = passage->frame->time;
-    const char* input = passage->frame->levels.empty() ? "" : "color";
-    MapTrack track = tracker.add(passage->frame);
-    needs_features = passage->frame->is_described;
-    passage->frame.reset();
-    passage->seconds.step = clock() - start;
-    if (taps.pair && passage->index > 0) taps.pair(passage->index - 1, passage->index, track.seen);
-    sink({passage->index, time, std::move(track.step), track.world_from_cam, passage->seconds, input});
+    failure.attempt_last(*passage, [&] {
+      const double start = clock(), time = passage->frame->time;
+      const char* input = passage->frame->levels.empty() ? "" : "color";
+      MapTrack track = tracker.add(passage->frame);
+      needs_features = passage->frame->is_described;
+      passage->frame.reset();
+      passage->seconds.step = clock() - start;
+      if (taps.pair && passage->index > 0) taps.pair(passage->index - 1, passage->index, track.seen);
+      sink({passage->index, time, std::move(track.step), track.world_from_cam, passage->seconds, input});
+    });
   };
 
   constexpr auto kInOrder = tbb::filter_mode::serial_in_order, kSideBySide = tbb::filter_mode::parallel;
@@ -76,6 +78,7 @@ MapRun run_map_odometry(const FrameSource& frames, const Camera& camera, const O
                                           tbb::make_filter<MapPassagePtr, MapPassagePtr>(kSideBySide, open) &
                                           tbb::make_filter<MapPassagePtr, void>(kInOrder, place));
   });
+  failure.rethrow();
   return {tracker.final_poses(), tracker.learned()};
 }
 

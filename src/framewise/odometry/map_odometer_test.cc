@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
 #include <stdexcept>
 
 #include "framewise/odometry/boxes_for_tests.h"
@@ -275,10 +276,15 @@ TEST(RunMapOdometry, ADepthImageOfNothingIsNoDepthImage) {
 
 TEST(RunMapOdometry, HandsOverWhatCameBeforeAFailure) {
   const Boxes boxes;
-  FrameSource source = boxes.source(9, sideways);
-  source.load = [load = source.load](std::size_t i) {
+  FrameSource source = boxes.source(30, sideways);
+  std::mutex mutex;
+  std::vector<cv::Mat> loaded;
+  source.load = [&, load = source.load](std::size_t i) {
     if (i == 6) throw std::runtime_error("frame 6 is broken");
-    return load(i);
+    Frame frame = load(i);
+    const std::lock_guard lock(mutex);
+    loaded.push_back(frame.gray);
+    return frame;
   };
   std::vector<std::size_t> seen;
   OdometryOptions options;
@@ -288,6 +294,8 @@ TEST(RunMapOdometry, HandsOverWhatCameBeforeAFailure) {
                    [&](const FrameResult& r) { seen.push_back(r.index); }),
                std::runtime_error);
   EXPECT_EQ(seen.size(), 6u);
+  EXPECT_LT(loaded.size(), 30u);
+  for (const cv::Mat& gray : loaded) EXPECT_EQ(gray.u->refcount, 1);  // those on their way are let go
 }
 
 TEST(RunMapOdometry, NoFramesAndEmptyFramesAreNoCrash) {

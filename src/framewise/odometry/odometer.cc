@@ -12,6 +12,7 @@
 #include "framewise/odometry/correspond.h"
 #include "framewise/odometry/first_pair_scale.h"
 #include "framewise/odometry/geometric_refinement.h"
+#include "framewise/odometry/pipeline_failure.h"
 #include "framewise/odometry/trajectory_joiner.h"
 
 namespace framewise {
@@ -28,7 +29,7 @@ struct Passage {
   std::optional<Correspondences> with_previous;   // none for the first frame
   Step step;
   StageSeconds seconds;
-  std::exception_ptr failure;  // kept until all earlier frames have been handed over
+  std::exception_ptr failure;  // pipeline_failure.h
 };
 using PassagePtr = std::shared_ptr<Passage>;
 
@@ -156,13 +157,7 @@ class Odometer {
   }
   bool at_end() const { return next_ >= size_; }
 
-  void open(Passage& passage) const {
-    try {
-      front_.open(passage);
-    } catch (...) {
-      passage.failure = std::current_exception();
-    }
-  }
+  void open(Passage& passage) const { front_.open(passage); }
 
   void pair(Passage& passage) { front_.pair(passage); }
 
@@ -176,7 +171,6 @@ class Odometer {
   }
 
   FrameResult join(Passage& passage) {
-    if (passage.failure) std::rethrow_exception(passage.failure);
     front_.before_joining(passage);
     const double start = clock_();
     const std::optional<Step> refined = front_.refine(passage);
@@ -233,21 +227,24 @@ void run(Odometer<Front>& odometer, int threads, const std::function<void(const 
   constexpr auto kInOrder = tbb::filter_mode::serial_in_order, kSideBySide = tbb::filter_mode::parallel;
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
   const std::size_t in_flight = 2 * static_cast<std::size_t>(arena.max_concurrency());
+  PipelineFailure failure;
+  const auto begin = [&](tbb::flow_control& flow) -> PassagePtr {
+    if (!odometer.at_end() && !failure.happened()) return odometer.begin();
+    flow.stop();
+    return nullptr;
+  };
+  const auto open = [&](PassagePtr p) { return attempt(*p, [&] { odometer.open(*p); }), p; };
+  const auto pair = [&](PassagePtr p) { return attempt(*p, [&] { odometer.pair(*p); }), p; };
+  const auto relate = [&](PassagePtr p) { return attempt(*p, [&] { odometer.relate(*p); }), p; };
+  const auto join = [&](PassagePtr p) { failure.attempt_last(*p, [&] { sink(odometer.join(*p)); }); };
   arena.execute([&] {
-    tbb::parallel_pipeline(
-        in_flight,
-        tbb::make_filter<void, PassagePtr>(kInOrder, [&](tbb::flow_control& flow) -> PassagePtr {
-          if (!odometer.at_end()) return odometer.begin();
-          flow.stop();
-          return nullptr;
-        }) & tbb::make_filter<PassagePtr, PassagePtr>(kSideBySide, [&](PassagePtr p) {
-          return odometer.open(*p), p;
-        }) & tbb::make_filter<PassagePtr, PassagePtr>(kInOrder, [&](PassagePtr p) {
-          return odometer.pair(*p), p;
-        }) & tbb::make_filter<PassagePtr, PassagePtr>(kSideBySide, [&](PassagePtr p) {
-          return odometer.relate(*p), p;
-        }) & tbb::make_filter<PassagePtr, void>(kInOrder, [&](PassagePtr p) { sink(odometer.join(*p)); }));
+    tbb::parallel_pipeline(in_flight, tbb::make_filter<void, PassagePtr>(kInOrder, begin) &
+                                          tbb::make_filter<PassagePtr, PassagePtr>(kSideBySide, open) &
+                                          tbb::make_filter<PassagePtr, PassagePtr>(kInOrder, pair) &
+                                          tbb::make_filter<PassagePtr, PassagePtr>(kSideBySide, relate) &
+                                          tbb::make_filter<PassagePtr, void>(kInOrder, join));
   });
+  failure.rethrow();
 }
 
 }  // namespace
