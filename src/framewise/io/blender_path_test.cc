@@ -9,6 +9,7 @@
 
 #include "framewise/geometry/so3.h"
 #include "framewise/io/input_error.h"
+#include "framewise/io/test_files_for_tests.h"
 
 namespace framewise {
 namespace {
@@ -17,8 +18,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 fs::path written(const std::string& name, const std::string& text) {
-  const fs::path path = fs::path(testing::TempDir()) /
-                        (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + name);
+  const fs::path path = test_file(name);
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

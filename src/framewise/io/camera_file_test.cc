@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "framewise/io/input_error.h"
+#include "framewise/io/test_files_for_tests.h"
 
 namespace framewise {
 namespace {
@@ -16,11 +17,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 fs::path camera_yaml(const std::string& text) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder = fs::path(testing::TempDir()) / test->test_suite_name() / test->name();
-  fs::create_directories(folder);
-  std::ofstream(folder / "camera.yaml") << text;
-  return folder / "camera.yaml";
+  const fs::path path = test_file("camera.yaml");
+  std::ofstream(path) << text;
+  return path;
 }
 
 const std::string kPinhole = "width: 64\nheight: 48\nfx: 50\nfy: 51\ncx: 32\ncy: 24\n";

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "framewise/io/input_error.h"
+#include "framewise/io/test_files_for_tests.h"
 
 namespace framewise {
 namespace {
@@ -20,9 +21,7 @@ class CsvTableOfText : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove(path_); }
 
-  const std::filesystem::path path_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
+  const std::filesystem::path path_ = test_file("table.csv");
 };
 
 TEST_F(CsvTableOfText, HasItsValuesByNameOfColumn) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "framewise/io/input_error.h"
+#include "framewise/io/test_files_for_tests.h"
 
 namespace framewise {
 namespace {
@@ -17,9 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string written(const std::vector<cv::KeyPoint>& keypoints, const cv::Mat& descriptors) {
-  const fs::path file = fs::path(testing::TempDir()) /
-                        ("framewise_features_" +
-                         std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".txt");
+  const fs::path file = test_file("features.txt");
   write_features(file, "a.png", keypoints, descriptors);
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();

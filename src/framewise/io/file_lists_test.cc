@@ -7,13 +7,13 @@
 #include <fstream>
 
 #include "framewise/io/input_error.h"
+#include "framewise/io/test_files_for_tests.h"
 
 namespace framewise {
 namespace {
 
 std::filesystem::path write_list(const std::string& text) {
-  const auto path = std::filesystem::path(::testing::TempDir()) /
-                    (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".txt");
+  const auto path = test_file("list.txt");
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

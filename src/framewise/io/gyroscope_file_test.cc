@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "framewise/io/input_error.h"
+#include "framewise/io/test_files_for_tests.h"
 
 namespace framewise {
 namespace {
@@ -16,9 +17,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 fs::path imu_csv(const std::string& text) {
-  const fs::path path = fs::path(testing::TempDir()) /
-                        ("framewise_imu_data_" +
-                         std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
+  const fs::path path = test_file("imu_data.csv");
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

@@ -14,19 +14,13 @@
 
 #include "framewise/io/exr_file.h"
 #include "framewise/io/input_error.h"
+#include "framewise/io/test_files_for_tests.h"
 
 namespace framewise {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-fs::path test_file(const std::string& name) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder = fs::path(testing::TempDir()) / test->test_suite_name() / test->name();
-  fs::create_directories(folder);
-  return folder / name;
-}
 
 cv::Mat ramp() {
   cv::Mat image(24, 32, CV_32F);

@@ -7,14 +7,13 @@
 #include <fstream>
 
 #include "framewise/io/input_error.h"
+#include "framewise/io/test_files_for_tests.h"
 
 namespace framewise {
 namespace {
 
 TEST(PublishedTables, AreReadIntoOurNames) {
-  const auto path =
-      std::filesystem::path(testing::TempDir()) /
-      ("published_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
+  const auto path = test_file("published.csv");
   std::ofstream(path) << "sequence,solver,translation,ransac_error,feature,ate_rmse_m,rpe_trans_rmse_m,"
                          "rpe_rot_rmse_deg,outcome\n"
                          "fr3_house,nister-5pt,first-pair-scale,reprojection,Surf,1.5,0.25,42.5,ok\n"

@@ -9,6 +9,7 @@
 
 #include "framewise/geometry/so3.h"
 #include "framewise/io/dataset.h"
+#include "framewise/io/test_files_for_tests.h"
 
 namespace framewise {
 namespace {
@@ -32,9 +33,7 @@ Frame frame_at(double time, float nearest) {
 class EveryLayout : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() /
-              ("framewise_recording_writer_" + GetParam() + fs::path(test->name()).parent_path().string());
+    folder_ = test_file("recording");
     fs::remove_all(folder_);
     for (int i = 0; i <= 40; ++i)
       truth_.add(0.01 * i, {so3_exp({0.1 * i, 0.02, -0.03 * i}), {0.1 * i, -0.2 * i, 1}});

@@ -9,6 +9,7 @@
 
 #include "framewise/geometry/so3.h"
 #include "framewise/io/input_error.h"
+#include "framewise/io/test_files_for_tests.h"
 
 namespace framewise {
 namespace {
@@ -17,11 +18,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 fs::path file_with(const std::string& content, const std::string& name = "trajectory.txt") {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder = fs::path(testing::TempDir()) / "framewise_trajectory_files" / test->name();
-  fs::create_directories(folder);
-  std::ofstream(folder / name, std::ios::binary) << content;
-  return folder / name;
+  const fs::path path = test_file(name);
+  std::ofstream(path, std::ios::binary) << content;
+  return path;
 }
 
 // The one line that reading this content is refused with.
