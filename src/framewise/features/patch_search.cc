@@ -13,17 +13,10 @@ namespace {
 
 // Normalised, of the template and the patch about a place; -1 where that has no contrast.
 float correlation_at(const PatchTemplate& t, const cv::Mat& image, const Eigen::Vector2f& place) {
-  PatchRows values;
-  sample_patch(image, place, t.side / 2, values);
-  Eigen::Array4f all = Eigen::Array4f::Zero(), squared = all, with_value = all;
-  for (int k = 0; k < t.padded_size(); k += 4) {
-    const Eigen::Array4f value = four_less_mean(values, k, t);
-    all += value, squared += value * value, with_value += value * four(t.value, k);
-  }
-  const float sum = all.sum(), squares = squared.sum(), product = with_value.sum();
-  const float n = static_cast<float>(t.size()), variance2 = squares - sum * sum / n;
-  if (!(variance2 > n)) return -1;
-  return product / std::sqrt(variance2 * t.norm2());
+  const PatchComparison c(t, image, place);
+  const float variance2 = c.variance(t);
+  if (!(variance2 > static_cast<float>(t.size()))) return -1;
+  return c.product / std::sqrt(variance2 * t.norm2());
 }
 
 }  // namespace

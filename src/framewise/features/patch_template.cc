@@ -52,6 +52,21 @@ void sample_patch(const cv::Mat& image, const Eigen::Vector2f& place, int radius
   }
 }
 
+PatchComparison::PatchComparison(const PatchTemplate& t, const cv::Mat& image, const Eigen::Vector2f& place) {
+  PatchRows values;
+  sample_patch(image, place, t.side / 2, values);
+  Eigen::Array4f with_gx = Eigen::Array4f::Zero(), with_gy = with_gx, with_value = with_gx, all = with_gx,
+                 squared = with_gx;
+  for (int k = 0; k < t.padded_size(); k += 4) {
+    const Eigen::Array4f value = four_less_mean(values, k, t);
+    with_gx += value * four(t.gx, k), with_gy += value * four(t.gy, k);
+    with_value += value * four(t.value, k);
+    all += value, squared += value * value;
+  }
+  sum = all.sum(), squares = squared.sum(), product = with_value.sum();
+  b = Eigen::Vector4f(with_gx.sum(), with_gy.sum(), product, sum) - t.H.col(2);
+}
+
 void gradients_inside(const PatchRows& wide, int side, PatchRows& gx, PatchRows& gy) {
   for (int y = 0; y < side; ++y) {
     const float* const row = wide.data() + (y + 1) * kPatchRow + 1;

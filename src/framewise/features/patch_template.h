@@ -55,6 +55,16 @@ inline Eigen::Array4f four_less_mean(const PatchRows& sampled, int k, const Patc
 // end of a row is of no use.
 void sample_patch(const cv::Mat& image, const Eigen::Vector2f& place, int radius, PatchRows& values);
 
+// What the patch at a place of image 2 and the template make of each other.
+struct PatchComparison {
+  Eigen::Vector4f b;                        // J' r, r = image 2 - template
+  float sum = 0, squares = 0, product = 0;  // of the patch less the template's mean, with the template
+
+  PatchComparison(const PatchTemplate& t, const cv::Mat& image, const Eigen::Vector2f& place);
+  // Times the count of pixels.
+  float variance(const PatchTemplate& t) const { return squares - sum * sum / static_cast<float>(t.size()); }
+};
+
 // Central differences of a patch with a border, of the patch without.
 void gradients_inside(const PatchRows& wide, int side, PatchRows& gx, PatchRows& gy);
 

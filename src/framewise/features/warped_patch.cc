@@ -12,27 +12,6 @@
 namespace framewise {
 namespace {
 
-// What the patch at a place of image 2 and the template make of each other.
-struct Comparison {
-  Eigen::Vector4f b = Eigen::Vector4f::Zero();  // J' r, r = image 2 - template
-  float sum = 0, squares = 0, product = 0;
-
-  Comparison(const PatchTemplate& t, const cv::Mat& image, const Eigen::Vector2f& place) {
-    PatchRows values;
-    sample_patch(image, place, t.side / 2, values);
-    Eigen::Array4f with_gx = Eigen::Array4f::Zero(), with_gy = with_gx, with_value = with_gx, all = with_gx,
-                   squared = with_gx;
-    for (int k = 0; k < t.padded_size(); k += 4) {
-      const Eigen::Array4f value = four_less_mean(values, k, t);
-      with_gx += value * four(t.gx, k), with_gy += value * four(t.gy, k);
-      with_value += value * four(t.value, k);
-      all += value, squared += value * value;
-    }
-    sum = all.sum(), squares = squared.sum(), product = with_value.sum();
-    b = Eigen::Vector4f(with_gx.sum(), with_gy.sum(), product, sum) - t.H.col(2);
-  }
-};
-
 // Of the place: by the texture that both images have. Noise and blur give each gradients that the other does
 // not have; where a direction has no others, the place stays where it was expected.
 Eigen::Matrix2d covariance_of_place(const PatchTemplate& t, const cv::Mat& image,
@@ -91,11 +70,11 @@ std::optional<TrackedPatch> track_patch(const ImageLevels& image1, const ImageLe
     if (!place.allFinite() || !is_inside(image, place.x(), place.y(), options.radius + 1))
       return std::nullopt;
     if ((place - start).norm() > options.max_shift) return std::nullopt;
-    const Comparison c(*t, image, place);
+    const PatchComparison c(*t, image, place);
     const Eigen::Vector4f d = t->H_inverse * c.b;
     if (converged || i == options.max_iterations) {
       const float n = static_cast<float>(t->size());
-      const float variance2 = c.squares - c.sum * c.sum / n;
+      const float variance2 = c.variance(*t);
       // With a tenth of the contrast, and next to none, there is nothing to resemble.
       if (!(variance2 > 0.01f * t->norm2() && variance2 > n)) return std::nullopt;
       const float correlation = c.product / std::sqrt(std::max(1e-6f, variance2 * t->norm2()));
