@@ -10,10 +10,10 @@ docs/odometer.md.
     bench/odometry.py build/release/bin/framewise FOLDER -- --shrink false  # with options of framewise run
     bench/odometry.py build/release/bin/framewise FOLDER --ablation         # a row a part of the odometer left out
 
-Recordings that are not in FOLDER are simulated into it first, or made from others (recordings.py; 5 GiB in all). A row says how many frames were
-measured, ATE of the causal and the final trajectory, its share of the path, the relative error a frame and over one
-second (all pairs), NEES of the steps (mean and median over frames of the mean of its six numbers; 1 is right) and
-frames a second with decoding.
+Recordings that are not in FOLDER are simulated into it first, or made from others (recordings.py; 4 GiB in all). A row
+says how many frames were measured, ATE of the causal and the final trajectory, its share of the path, the relative
+error a frame and over one second (all pairs), NEES of the steps (mean and median over frames of the mean of its six
+numbers; 1 is right) and frames a second with decoding.
 """
 
 import argparse
@@ -71,8 +71,10 @@ GROUPS["events"] = {
 GROUPS["mono"] = {f"{name}_mono": (made.without_depth, name) for name in
                   ("room_kinect_1", "room_kinect_2", "corridor_kinect_1", "corridor_kinect_2", "race_exact_1", "race_exact_3",
                    "corridor_3hz_12", "mine_3hz_33", "room_3hz_35", "room_1.5hz_11", "room_1.5hz_34")}
-ROADS = {"30": (30, 700, 1), "22": (22, 180, 1), "25": (25, 400, 2), "33": (33, 1000, 3), "20": (20, 120, 4)}
-GROUPS["motorway"] = {f"motorway_{name}_mono": (made.without_depth, f"motorway_{name}") for name in ROADS}
+# speed (m/s), least radius (m), seed
+ROADS = {"motorway_30": (30, 700, 1), "motorway_22": (22, 180, 1), "motorway_25": (25, 400, 2),
+         "motorway_33": (33, 1000, 3), "motorway_20": (20, 120, 4)}
+GROUPS["motorway"] = {f"{name}_mono": (made.without_depth, name) for name in ROADS}
 GROUPS["kitti"] = {f"kitti_{every}_{first}": (made.of_kitti, "kitti_07", range(first, 160, every))
                    for every, first in ((2, 0), (3, 0), (4, 0), (4, 2), (5, 0), (5, 2), (6, 0), (7, 0), (8, 0))}
 GROUPS["kitti"] |= {"kitti_from_48": (made.of_kitti, "kitti_07", range(48, 160)),
@@ -112,35 +114,29 @@ def standing_still(folder):
     return file
 
 
-def simulated(framewise, folder, name, *options):
-    data = folder / name
-    if not (data / "simulation.json").exists():
-        command(framewise, "simulate", *options, "--out", data, "--quiet")
-    return data
-
-
-def road(framewise, folder, name):
-    speed, least_radius, seed = ROADS[name.removeprefix("motorway_")]
+def options_of_road(folder, name):
+    speed, least_radius, seed = ROADS[name]
     mesh, path = made.motorway(folder / f"{name}_mesh", speed, least_radius, seed=seed)
-    return simulated(framewise, folder, name, "--mesh", mesh, "--path", path, "--rate", 10, "--photons", 2000,
-                     "--width", 1240, "--height", 376, "--depth-max", 200)
+    return ["--mesh", mesh, "--path", path, "--rate", 10, "--photons", 2000, "--width", 1240, "--height", 376,
+            "--depth-max", 200]
 
 
 def recording(framewise, folder, name):
     """Its folder, made first where that is needed; None where a real one it needs is not there."""
-    if name.startswith("motorway_") and not name.endswith("_mono"):
-        return road(framewise, folder, name)
-    made_by = next(group[name] for group in GROUPS.values() if name in group)
+    data = folder / name
+    made_by = None if name in ROADS else next(group[name] for group in GROUPS.values() if name in group)
     if isinstance(made_by, pathlib.Path):
         return made_by if made_by.is_dir() else None
-    if isinstance(made_by, list):
+    if isinstance(made_by, tuple):
+        make, source, *arguments = made_by
+        source = recording(framewise, folder, source)
+        if source and not data.exists():
+            make(source, data, *arguments)
+        return source and data
+    if not (data / "simulation.json").exists():
         path = ["--path", standing_still(folder)] if name == "standing" else []
-        return simulated(framewise, folder, name, *made_by, *path)
-    make, source, *arguments = made_by
-    source, data = recording(framewise, folder, source), folder / name
-    if source and not data.exists():
-        make(source, data, *arguments)
-    return source and data
+        command(framewise, "simulate", *(made_by or options_of_road(folder, name)), *path, "--out", data, "--quiet")
+    return data
 
 
 def recordings(framewise, folder, group):

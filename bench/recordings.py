@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 
 FRAMES_OF_WALL = 200
+SHAPE = 480, 640
 
 
 class Recording:
@@ -49,10 +50,10 @@ def darkened(source, folder, begin, end, color=True, depth=True):
     """Images of zeros from frame `begin` to before `end`."""
     recording = Recording(source, folder)
     if color:
-        black = recording.new("color.png", np.zeros((480, 640, 3), np.uint8))
+        black = recording.new("color.png", np.zeros((*SHAPE, 3), np.uint8))
         recording.rgb[begin:end] = [[time, black] for time, _ in recording.rgb[begin:end]]
     if depth and recording.depth:
-        nothing = recording.new("depth.png", np.zeros((480, 640), np.uint16))
+        nothing = recording.new("depth.png", np.zeros(SHAPE, np.uint16))
         recording.depth[begin:end] = [[time, nothing] for time, _ in recording.depth[begin:end]]
     recording.write()
 
@@ -67,18 +68,14 @@ def with_gap(source, folder, begin, end):
 def behind_wall(source, folder, begin):
     """200 frames of a white wall 1.5 m away before frame `begin`; the camera stands until then."""
     recording, random = Recording(source, folder), np.random.default_rng(1)
-    wall = recording.new("wall.png", np.full((480, 640), 7500, np.uint16))
-    times = [float(row[0]) for row in recording.rgb]
-    period, lists = times[1] - times[0], ([], [])
-    for rows, made in zip((recording.rgb, recording.depth), lists):
-        for i, (time, name) in enumerate(rows):
-            if i == begin:
-                for k in range(FRAMES_OF_WALL):
-                    image = wall if made is lists[1] else recording.new(
-                        f"wall_{k}.png", np.clip(random.normal(200, 4, (480, 640, 3)), 0, 255).astype(np.uint8))
-                    made.append([f"{float(time) + k * period:.6f}", image])
-            made.append([f"{float(time) + (FRAMES_OF_WALL * period if i >= begin else 0):.6f}", name])
-    recording.rgb, recording.depth = lists
+    times = [float(time) for time, _ in recording.rgb]
+    period = times[1] - times[0]
+    deep = recording.new("wall.png", np.full(SHAPE, 7500, np.uint16))
+    white = [recording.new(f"wall_{k}.png", np.clip(random.normal(200, 4, (*SHAPE, 3)), 0, 255).astype(np.uint8))
+             for k in range(FRAMES_OF_WALL)]
+    for rows, images in ((recording.rgb, white), (recording.depth, FRAMES_OF_WALL * [deep])):
+        later = [[f"{float(time) + FRAMES_OF_WALL * period:.6f}", name] for time, name in rows[begin:]]
+        rows[begin:] = [[f"{times[begin] + k * period:.6f}", image] for k, image in enumerate(images)] + later
     recording.write()
     truth = np.loadtxt(source / "groundtruth.txt")
     stood = truth[truth[:, 0] < times[begin] - period / 2][-1]
@@ -186,15 +183,17 @@ def motorway(folder, speed, least_radius, seconds=9, rate=10, seed=1):
     strip(-8, 8, 0.4, 0.4, (0.3, 0.3, 0.31), 0.08)
     for side in (-1, 1):
         strip(min(side * 8, side * 60), max(side * 8, side * 60), 1.5, 1.5, (0.25, 0.4, 0.15), 0.2, bumps=0.08)
-    for across in (-3.75, 0, 3.75):  # dashes, just above the road
-        begin = np.arange(s[0], s[-1] - 6, 12.0)
-        corners = np.stack([at(begin + a, np.full_like(begin, across + c), np.full_like(begin, 0.01))
-                            for a, c in ((0, -0.08), (6, -0.08), (6, 0.08), (0, 0.08))], 1)
-        quads.add(corners, (0.85, 0.85, 0.85))
-    for across in (-7.6, 7.6):
-        begin = np.arange(s[0], s[-1] - 2, 2.0)
+    def paint(across, every, length, width, gray):
+        """Lines just above the road."""
+        begin = np.arange(s[0], s[-1] - length, every)
         quads.add(np.stack([at(begin + a, np.full_like(begin, across + c), np.full_like(begin, 0.01))
-                            for a, c in ((0, -0.1), (2, -0.1), (2, 0.1), (0, 0.1))], 1), (0.8, 0.8, 0.8))
+                            for a, c in ((0, -width / 2), (length, -width / 2), (length, width / 2), (0, width / 2))], 1),
+                  (gray, gray, gray))
+
+    for across in (-3.75, 0, 3.75):
+        paint(across, every=12, length=6, width=0.16, gray=0.85)
+    for across in (-7.6, 7.6):
+        paint(across, every=2, length=2, width=0.2, gray=0.8)
         begin = np.arange(s[0], s[-1] - 4, 4.0)
         rail = np.full_like(begin, across * 1.25)
         upright(begin + 2, rail, np.full_like(begin, 4.0), np.full_like(begin, 0.45), np.full_like(begin, 0.75),
@@ -238,9 +237,6 @@ def motorway(folder, speed, least_radius, seconds=9, rate=10, seed=1):
 
 
 def quaternion(R):
-    """x y z w of a rotation that turns by less than 180 degrees."""
-    w = np.sqrt(max(1e-12, 1 + np.trace(R))) / 2
-    if w > 1e-3:
-        return [(R[2, 1] - R[1, 2]) / (4 * w), (R[0, 2] - R[2, 0]) / (4 * w), (R[1, 0] - R[0, 1]) / (4 * w), w]
-    values, vectors = np.linalg.eigh(R + R.T)
-    return [*vectors[:, np.argmax(values)], 0]
+    """x y z w of a rotation by less than 180 degrees."""
+    w = np.sqrt(1 + np.trace(R)) / 2
+    return [(R[2, 1] - R[1, 2]) / (4 * w), (R[0, 2] - R[2, 0]) / (4 * w), (R[1, 0] - R[0, 1]) / (4 * w), w]

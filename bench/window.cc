@@ -3,7 +3,9 @@
 //
 // A window of keyframes adjusted by the odometer and by Ceres: the same residuals, loss, start and stop.
 //   build/release/bench/bench_window
+#include <array>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include "framewise/geometry/so3.h"
@@ -22,8 +24,8 @@ constexpr int kStill = 4, kMoving = 6, kKeyframes = kStill + kMoving, kIteration
 constexpr double kSigma = 0.2 / 525, kTolerance = 1e-3;
 
 std::vector<int> numbers(int begin, int end) {
-  std::vector<int> result;
-  for (int i = begin; i < end; ++i) result.push_back(i);
+  std::vector<int> result(end - begin);
+  std::iota(result.begin(), result.end(), begin);
   return result;
 }
 
@@ -100,7 +102,7 @@ struct DepthError {
   }
 };
 
-double adjust_by_ceres(LocalMap& map, ceres::LinearSolverType solver) {
+double adjust_by_ceres(LocalMap& map) {
   std::vector<std::array<double, 6>> poses(kKeyframes);
   ceres::Problem problem;
   for (int k = 0; k < kKeyframes; ++k) {
@@ -129,7 +131,7 @@ double adjust_by_ceres(LocalMap& map, ceres::LinearSolverType solver) {
     }
   for (auto& pose : poses) ordering->AddElementToGroup(pose.data(), 1);
   ceres::Solver::Options options;
-  options.linear_solver_type = solver;
+  options.linear_solver_type = ceres::DENSE_SCHUR;
   options.linear_solver_ordering.reset(ordering);
   options.max_num_iterations = kIterations;
   options.function_tolerance = kTolerance;
@@ -162,7 +164,7 @@ void race(int points_each, bool with_depth) {
 #ifdef FRAMEWISE_BENCH_CERES
   rivals.push_back({"Ceres DENSE_SCHUR, one thread", [&](std::size_t i) {
                       LocalMap map = maps[i];
-                      return adjust_by_ceres(map, ceres::DENSE_SCHUR);
+                      return adjust_by_ceres(map);
                     }});
 #endif
   print_race(std::to_string(kKeyframes) + " keyframes, " + std::to_string(points_each) + " points each, " +
